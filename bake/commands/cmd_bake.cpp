@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/commands/cmd_bake.h"
+
+#include <tbb/global_control.h>
+
+#include <map>
+#include <memory>
+
+#include "bake/kernels/scene_bake.h"
+#include "bake/scene/atlas.h"
+#include "bake/scene/gltf_load.h"
+#include "common/asset/asset_writer.h"
+#include "common/base/error.h"
+#include "common/base/log.h"
+
+namespace boxlight {
+namespace {
+
+struct BakeOptions {
+  std::string scene, output, preset = "preview";
+  uint32_t atlas = 0, views = 92, boxes = 0, paths = 0,
+           bounces = 0;  ///< 0: as the preset says; for bounces, no limit
+  uint64_t seed = 0;
+};
+
+struct Preset {
+  uint32_t atlas, boxes, paths;
+};
+
+const std::map<std::string, Preset>& presets() {
+  static const std::map<std::string, Preset> table = {
+      {"draft", {64, 8, 128}}, {"preview", {128, 8, 256}}, {"production", {256, 8, 512}}};
+  return table;
+}
+
+std::string presetHelp() {
+  std::string help = "Atlas size, boxes and paths of ";
+  for (const auto& [name, preset] : presets())
+    help += fmt::format("{}{}: {}, {}, {}", name == presets().begin()->first ? "" : "; ", name, preset.atlas,
+                        preset.boxes, preset.paths);
+  return help;
+}
+
+void applyPreset(BakeOptions& options) {
+  const Preset& preset = presets().at(options.preset);
+  if (!options.atlas) options.atlas = preset.atlas;
+  if (!options.boxes) options.boxes = preset.boxes;
+  if (!options.paths) options.paths = preset.paths;
+}
+
+uint32_t frequencyOf(uint32_t views) {
+  uint32_t frequency = 1;
+  while (10 * frequency * frequency + 2 < views) ++frequency;
+  return frequency;
+}
+
+/// Everything that the bytes of the asset depend on, and nothing else: no time, no host, no threads.
+nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
+  return {
+      {"tool", "ptbake " BOXLIGHT_VERSION},
+      {"scene", {{"file", scene.path.filename().string()}, {"xxh64", fmt::format("{:016x}", scene.hash)}}},
+      {"options",
+       {{"scheme", "sketch"},
+        {"atlas", o.atlas},
+        {"views", o.views},
+        {"boxes", o.boxes},
+        {"paths", o.paths},
+        {"bounces", o.bounces}}},
+      {"seed", o.seed}};
+}
+
+void announce(const BakeCost& cost) {
+  log().info("{} texel records, {} kernels, {:.1f} million paths; boxes take {:.1f} MiB before compression",
+             cost.records, cost.kernels, double(cost.paths) * 1e-6, double(cost.pageBytes) / (1 << 20));
+}
+
+void bake(BakeOptions options, const CommonOptions& common) {
+  applyPreset(options);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    size_t(resolveThreads(common.threads)));
+  Scene scene = loadGltf(options.scene);
+  const uint32_t uvSet = chooseAtlas(scene);
+  const TexelMap map = makeTexels(scene, options.atlas, options.atlas);
+  const std::vector<RecordPlan> records = planRecords(scene, map);
+  const ViewSphere sphere(frequencyOf(options.views));
+  const KernelOptions kernels{options.paths, options.boxes,
+                              options.bounces ? options.bounces : kUnlimitedBounces, options.seed};
+  log().info("{}: {} triangles, atlas {}x{} from TEXCOORD_{}", options.scene, scene.triangles.size(),
+             options.atlas, options.atlas, uvSet);
+  announce(estimateCost(records, sphere, kernels));
+
+  const Intersector world(scene);
+  BakedScene baked = bakeScene(scene, world, map, records, sphere, kernels,
+                               common.quiet ? ProgressStyle::none : common.progress);
+  baked.asset.provenance = provenance(options, scene);
+  const size_t tileCount = baked.asset.tiles.size();
+  asset::writeAsset(options.output, baked.asset, [&](uint32_t stream, uint32_t tile) {
+    return std::span<const PackedBox>(baked.pages[stream * tileCount + tile]);
+  });
+}
+
+}  // namespace
+
+void addBakeCommand(CLI::App& app, CommonOptions& common) {
+  auto o = std::make_shared<BakeOptions>();
+  CLI::App* command = app.add_subcommand("bake", "Bake a scene's light transport into an asset");
+  addCommonOptions(*command, common);
+  command->add_option("scene", o->scene, "glTF 2.0 scene, .glb or .gltf")->required()->option_text("SCENE");
+  command->add_option("-o,--output", o->output, "Asset to write")->required()->option_text("OUT.ptb");
+  command->add_option("--preset", o->preset, presetHelp())
+      ->check(CLI::IsMember({"draft", "preview", "production"}))
+      ->capture_default_str();
+  command->add_option("--atlas", o->atlas, "Texels per side of the atlas")
+      ->check(CLI::Range(1, 8192))
+      ->option_text("N");
+  command->add_option("--views", o->views, "View directions")
+      ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))
+      ->capture_default_str();
+  command->add_option("--boxes", o->boxes, "Boxes per glossy kernel; the Lambert kernel has twice as many")
+      ->check(CLI::Range(1, 64))
+      ->option_text("J");
+  command->add_option("--paths", o->paths, "Paths per glossy kernel; the Lambert kernel has 16 times as many")
+      ->check(CLI::Range(1, 1 << 24))
+      ->option_text("N");
+  command
+      ->add_option("--bounces", o->bounces,
+                   "Surface interactions of a path at most; 0 = no limit but Russian roulette")
+      ->capture_default_str();
+  command->add_option("--seed", o->seed, "Seed of the random numbers")->capture_default_str();
+  command->callback([o, &common] { bake(*o, common); });
+}
+
+}  // namespace boxlight

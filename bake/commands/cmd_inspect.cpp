@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/commands/cmd_inspect.h"
+
+#include <bit>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "common/asset/asset_reader.h"
+#include "common/asset/finding.h"
+
+namespace boxlight {
+namespace {
+
+using asset::Asset;
+using asset::AssetReader;
+using asset::ChunkEntry;
+using Json = nlohmann::ordered_json;
+
+/// The pages of one kind of stream.
+struct PageTotals {
+  uint64_t pages = 0, kernels = 0, boxes = 0, stored = 0, raw = 0;
+};
+
+struct Summary {
+  PageTotals glossy, diffuse;
+  uint64_t head = 0, padding = 0, coveredTexels = 0;
+};
+
+void addPage(PageTotals& totals, uint64_t kernels, uint64_t boxes, const asset::PageEntry& page) {
+  totals.pages += kernels > 0;
+  totals.kernels += kernels;
+  totals.boxes += boxes;
+  totals.stored += page.storedSize;
+  totals.raw += page.rawSize;
+}
+
+Summary summarise(const AssetReader& reader) {
+  const Asset& asset = reader.asset();
+  Summary summary;
+  for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
+    for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
+      const auto kernels = uint64_t(std::popcount(asset.mask(stream, tile)));
+      addPage(stream == asset.diffuseStream() ? summary.diffuse : summary.glossy, kernels,
+              kernels * asset.boxesPerKernel(stream, tile), reader.pageEntry(stream, tile));
+    }
+  summary.head = sizeof(asset::FileHeader) + reader.chunks().size() * sizeof(ChunkEntry);
+  summary.padding = reader.header().fileSize - summary.head;
+  for (const ChunkEntry& entry : reader.chunks()) summary.padding -= entry.storedSize;
+  for (const asset::AtlasTexel& texel : asset.atlas)
+    summary.coveredTexels += texel.front != asset::kNone || texel.back != asset::kNone;
+  return summary;
+}
+
+const char* codecName(asset::Codec codec) {
+  return codec == asset::Codec::none ? "none" : codec == asset::Codec::zstd ? "zstd" : "pages";
+}
+
+double ratio(uint64_t value, uint64_t by) { return by ? double(value) / double(by) : 0.0; }
+
+Json pagesToJson(const PageTotals& totals, uint64_t records) {
+  return {{"pages", totals.pages},
+          {"kernels", totals.kernels},
+          {"boxes", totals.boxes},
+          {"stored", totals.stored},
+          {"raw", totals.raw},
+          {"storedPerRecord", ratio(totals.stored, records)},
+          {"storedPerBox", ratio(totals.stored, totals.boxes)},
+          {"kernelsPerRecord", ratio(totals.kernels, records)},
+          {"boxesPerKernel", ratio(totals.boxes, totals.kernels)}};
+}
+
+Json bytesToJson(const AssetReader& reader, const Summary& summary) {
+  Json chunks = Json::array();
+  for (const ChunkEntry& entry : reader.chunks())
+    chunks.push_back({{"type", asset::Reporter::chunkName(entry.type)},
+                      {"codec", codecName(entry.codec)},
+                      {"stored", entry.storedSize},
+                      {"raw", entry.rawSize}});
+  const uint64_t records = reader.asset().records.size();
+  return {{"file", reader.header().fileSize},
+          {"perRecord", ratio(reader.header().fileSize, records)},
+          {"head", summary.head},
+          {"padding", summary.padding},
+          {"chunks", chunks},
+          {"glossyPages", pagesToJson(summary.glossy, records)},
+          {"diffusePages", pagesToJson(summary.diffuse, records)}};
+}
+
+Json toJson(const AssetReader& reader) {
+  const Asset& asset = reader.asset();
+  const asset::Info& info = asset.info;
+  const Summary summary = summarise(reader);
+  return {
+      {"file", reader.path().string()},
+      {"version", fmt::format("{}.{}", reader.header().majorVersion, reader.header().minorVersion)},
+      {"scheme", "sketch"},
+      {"provenance", asset.provenance},
+      {"bounds", {{"min", info.boundsMin}, {"max", info.boundsMax}}},
+      {"atlas",
+       {{"width", info.atlasWidth}, {"height", info.atlasHeight}, {"coveredTexels", summary.coveredTexels}}},
+      {"views", {{"frequency", info.viewFrequency}, {"count", info.viewCount}}},
+      {"counts",
+       {{"vertices", info.vertexCount},
+        {"triangles", info.triangleCount},
+        {"materials", info.materialCount},
+        {"textures", info.textureCount},
+        {"records", info.recordCount},
+        {"tiles", info.tileCount}}},
+      {"bytes", bytesToJson(reader, summary)}};
+}
+
+void printPages(const char* name, const Json& pages) {
+  fmt::print(
+      "  {:<8} {:>12} {:>13}  {} pages, {} kernels of {:.1f} boxes; a record: {:.1f} kernels, {:.0f} bytes; "
+      "a box: {:.2f} bytes\n",
+      name, pages["stored"].get<uint64_t>(), pages["raw"].get<uint64_t>(), pages["pages"].get<uint64_t>(),
+      pages["kernels"].get<uint64_t>(), pages["boxesPerKernel"].get<double>(),
+      pages["kernelsPerRecord"].get<double>(), pages["storedPerRecord"].get<double>(),
+      pages["storedPerBox"].get<double>());
+}
+
+void printBytes(const Json& bytes) {
+  fmt::print("bytes            stored           raw\n");
+  fmt::print("  {:<8} {:>12}\n  {:<8} {:>12}\n", "head", bytes["head"].get<uint64_t>(), "padding",
+             bytes["padding"].get<uint64_t>());
+  for (const Json& entry : bytes["chunks"])
+    fmt::print("  {:<8} {:>12} {:>13}  {}\n", entry["type"].get<std::string>(),
+               entry["stored"].get<uint64_t>(), entry["raw"].get<uint64_t>(),
+               entry["codec"].get<std::string>());
+  printPages(" glossy", bytes["glossyPages"]);
+  printPages(" diffuse", bytes["diffusePages"]);
+  fmt::print("  {:<8} {:>12}                {:.0f} bytes a record\n", "all", bytes["file"].get<uint64_t>(),
+             bytes["perRecord"].get<double>());
+}
+
+/// Strings without their quotes, but with control characters still escaped: the text is the file's, not ours.
+std::string plain(const Json& value) {
+  const std::string text = value.dump();
+  return value.is_string() ? text.substr(1, text.size() - 2) : text;
+}
+
+std::string pointText(const Json& point) {
+  return fmt::format("({:.4g}, {:.4g}, {:.4g})", point[0].get<double>(), point[1].get<double>(),
+                     point[2].get<double>());
+}
+
+void printText(const Json& summary) {
+  const auto print = [](const char* name, const std::string& value) {
+    fmt::print("{:<12} {}\n", name, value);
+  };
+  const Json &atlas = summary["atlas"], &views = summary["views"];
+  print("file", summary["file"].get<std::string>());
+  print("format", fmt::format("{}, scheme {}", summary["version"].get<std::string>(),
+                              summary["scheme"].get<std::string>()));
+  for (const auto& [key, value] : summary["provenance"].items()) print(plain(key).c_str(), plain(value));
+  print("bounds",
+        fmt::format("{} to {} m", pointText(summary["bounds"]["min"]), pointText(summary["bounds"]["max"])));
+  print("atlas", fmt::format("{}x{} texels, {} with a record", atlas["width"].dump(), atlas["height"].dump(),
+                             atlas["coveredTexels"].dump()));
+  print("views", fmt::format("{} (frequency {})", views["count"].dump(), views["frequency"].dump()));
+  for (const auto& [key, value] : summary["counts"].items()) print(key.c_str(), value.dump());
+  printBytes(summary["bytes"]);
+}
+
+void inspect(const std::string& path, bool json) {
+  const Json summary = toJson(AssetReader(path));
+  if (json)
+    fmt::print("{}\n", summary.dump(2, ' ', false, Json::error_handler_t::replace));
+  else
+    printText(summary);
+}
+
+}  // namespace
+
+void addInspectCommand(CLI::App& app, CommonOptions& common) {
+  CLI::App* command =
+      app.add_subcommand("inspect", "Show what an asset holds and what its bytes are spent on");
+  addCommonOptions(*command, common);
+  const auto path = std::make_shared<std::string>();
+  command->add_option("ASSET", *path, "The .ptb file")->required();
+  command->callback([path, &common] { inspect(*path, common.json); });
+}
+
+}  // namespace boxlight

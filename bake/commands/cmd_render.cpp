@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/commands/cmd_render.h"
+
+#include <tbb/global_control.h>
+
+#include <memory>
+
+#include "bake/scene/gltf_load.h"
+#include "bake/transport/reference.h"
+#include "common/base/log.h"
+#include "common/image/camera.h"
+#include "common/light/environment.h"
+
+namespace boxlight {
+namespace {
+
+struct RenderOptions {
+  std::string scene, environment, output, variance;
+  float rotation = 0.0f, exposure = 0.0f;
+  CameraOptions camera;
+  ReferenceOptions reference;
+  uint32_t bounces = 0;
+};
+
+void writePicture(const std::filesystem::path& path, const Image& image, float exposure) {
+  writeImage(path, path.extension() == ".png" ? toDisplay(image, exposure) : image);
+}
+
+void render(RenderOptions options, const CommonOptions& common) {
+  checkImageExtension(options.output);
+  if (!options.variance.empty()) checkImageExtension(options.variance);
+  const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
+                                    resolveThreads(common.threads));
+  const Scene scene = loadGltf(options.scene);
+  const Image environment = readEnvironment(options.environment);
+  const Camera camera = makeCamera(options.camera, scene.boundsMin, scene.boundsMax);
+  const Intersector world(scene);
+  options.reference.progress = common.quiet ? ProgressStyle::none : common.progress;
+  options.reference.bounces = options.bounces ? options.bounces : kUnlimitedBounces;
+  log().info("{}: {} triangles, {}x{} pixels, {} paths a pixel", options.scene, scene.triangles.size(),
+             camera.size.x, camera.size.y, options.reference.samplesPerPixel);
+  const ReferencePicture picture =
+      renderReference(world, EnvironmentSampler(environment, options.rotation), camera, options.reference);
+  writePicture(options.output, picture.mean, options.exposure);
+  if (!options.variance.empty()) writeImage(options.variance, picture.variance);
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& app, CommonOptions& common) {
+  auto options = std::make_shared<RenderOptions>();
+  CLI::App* command = app.add_subcommand("render", "Path-trace the truth of a picture");
+  addCommonOptions(*command, common);
+  command->add_option("scene", options->scene, "glTF 2.0 scene, .glb or .gltf")
+      ->required()
+      ->option_text("SCENE");
+  command->add_option("--env", options->environment, "Environment image, equirectangular")
+      ->required()
+      ->option_text("IMAGE");
+  command->add_option("-o,--output", options->output, "Picture: .exr (linear) or .png (tone-mapped)")
+      ->required()
+      ->option_text("FILE");
+  command->add_option("--variance", options->variance, "Also write the variance of every pixel's mean, .exr")
+      ->option_text("FILE");
+  addCameraOptions(*command, options->camera);
+  command->add_option("--spp", options->reference.samplesPerPixel, "Paths per pixel")
+      ->check(CLI::Range(1, 1 << 24))
+      ->capture_default_str();
+  command
+      ->add_option("--bounces", options->bounces,
+                   "Surface interactions of a path at most; 0 = no limit but Russian roulette")
+      ->capture_default_str();
+  command->add_option("--seed", options->reference.seed, "Seed of the random numbers")->capture_default_str();
+  command
+      ->add_option("--env-rotation", options->rotation, "Degrees about +Y, counter-clockwise seen from above")
+      ->option_text("DEG");
+  command->add_option("--exposure", options->exposure, "Stops, of a PNG")->option_text("EV");
+  addOnOff(*command, "--background", options->reference.background,
+           "Draw the environment behind the object: on or off");
+  command->callback([options, &common] { render(*options, common); });
+}
+
+}  // namespace boxlight

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "bake/kernels/texel_bake.h"
+#include "common/asset/asset.h"
+#include "common/base/progress.h"
+
+namespace boxlight {
+
+/// An asset with all its pages in memory.
+struct BakedScene {
+  asset::Asset asset;
+  std::vector<std::vector<PackedBox>> pages;  ///< [stream * tileCount + tile]
+};
+
+/// What a bake is about to cost, for the user to see before it starts.
+struct BakeCost {
+  uint64_t records = 0, kernels = 0, paths = 0;
+  uint64_t pageBytes = 0;  ///< before compression
+};
+BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& sphere,
+                      const KernelOptions& options);
+
+/// Bakes all records on all threads of the current TBB arena and packs them into tiles. The result does not
+/// depend on the threads. Throws Error(interrupted) after Ctrl-C.
+BakedScene bakeScene(const Scene& scene, const Intersector& world, const TexelMap& map,
+                     const std::vector<RecordPlan>& records, const ViewSphere& sphere,
+                     const KernelOptions& options, ProgressStyle progress);
+
+}  // namespace boxlight

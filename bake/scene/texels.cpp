@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/scene/texels.h"
+
+#include <array>
+#include <cmath>
+
+namespace boxlight {
+namespace {
+
+/// A corner of a clipped triangle: where it is in the atlas (in texels) and on the triangle.
+struct Corner {
+  vec2 atlas, barycentric;
+};
+
+using Polygon = std::vector<Corner>;
+
+/// Sutherland-Hodgman against one side of a texel: keeps sign * (atlas[axis] - bound) >= 0.
+void clip(Polygon& polygon, Polygon& scratch, int axis, float bound, float sign) {
+  scratch.clear();
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+    const float da = sign * (a.atlas[axis] - bound), db = sign * (b.atlas[axis] - bound);
+    if (da >= 0) scratch.push_back(a);
+    if ((da >= 0) != (db >= 0)) {
+      const float t = da / (da - db);
+      scratch.push_back({glm::mix(a.atlas, b.atlas, t), glm::mix(a.barycentric, b.barycentric, t)});
+    }
+  }
+  polygon.swap(scratch);
+}
+
+float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+
+struct Piece {
+  uint32_t texel;
+  FootprintPiece part;  // area not yet a running sum
+};
+
+class Cutter {
+ public:
+  Cutter(const Scene& scene, uint32_t width, uint32_t height) : scene_(scene), size_(width, height) {}
+
+  void cut(uint32_t triangle) {
+    std::array<Corner, 3> corners;
+    vec3 p[3];
+    for (int k = 0; k < 3; ++k) {
+      const asset::Vertex& vertex = scene_.vertices[scene_.triangles[triangle].vertex[k]];
+      corners[k] = {vec2(vertex.atlasUv[0], vertex.atlasUv[1]) * vec2(size_), vec2(k == 1, k == 2)};
+      p[k] = {vertex.position[0], vertex.position[1], vertex.position[2]};
+    }
+    const float worldArea = 0.5f * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+    const auto low = glm::min(corners[0].atlas, glm::min(corners[1].atlas, corners[2].atlas));
+    const auto high = glm::max(corners[0].atlas, glm::max(corners[1].atlas, corners[2].atlas));
+    const uvec2 first = uvec2(low), last = glm::min(uvec2(high), size_ - 1u);
+    for (uint32_t y = first.y; y <= last.y; ++y)
+      for (uint32_t x = first.x; x <= last.x; ++x) cutTexel(triangle, worldArea, corners, x, y);
+  }
+
+  std::vector<Piece> pieces;
+
+ private:
+  void cutTexel(uint32_t triangle, float worldArea, const std::array<Corner, 3>& corners, uint32_t x,
+                uint32_t y) {
+    polygon_.assign(corners.begin(), corners.end());
+    clip(polygon_, scratch_, 0, float(x), 1);
+    clip(polygon_, scratch_, 0, float(x + 1), -1);
+    clip(polygon_, scratch_, 1, float(y), 1);
+    clip(polygon_, scratch_, 1, float(y + 1), -1);
+    for (size_t i = 2; i < polygon_.size(); ++i) {
+      const vec2 a = polygon_[0].barycentric, b = polygon_[i - 1].barycentric, c = polygon_[i].barycentric;
+      // Barycentric coordinates are affine: areas on the triangle are its area times twice theirs.
+      const float area = worldArea * std::abs(cross2(b - a, c - a));
+      if (area > 0) pieces.push_back({y * size_.x + x, {triangle, {a, b, c}, area}});
+    }
+  }
+
+  const Scene& scene_;
+  uvec2 size_;
+  Polygon polygon_, scratch_;
+};
+
+/// Texels in blocks of 8x8, row by row.
+uint32_t blockOrder(uint32_t x, uint32_t y, uint32_t width) {
+  const uint32_t blocks = (width + 7) / 8;
+  return ((y / 8) * blocks + x / 8) * 64 + (y % 8) * 8 + x % 8;
+}
+
+void gather(TexelMap& map, std::vector<Piece>& pieces) {
+  auto order = [&](const Piece& p) {
+    return blockOrder(p.texel % map.width, p.texel / map.width, map.width);
+  };
+  std::stable_sort(pieces.begin(), pieces.end(),
+                   [&](const Piece& a, const Piece& b) { return order(a) < order(b); });
+  for (const Piece& piece : pieces) {
+    const uint32_t x = piece.texel % map.width, y = piece.texel / map.width;
+    if (map.texels.empty() || map.texels.back().x != x || map.texels.back().y != y)
+      map.texels.push_back({x, y, uint32_t(map.pieces.size()), 0});
+    Texel& texel = map.texels.back();
+    map.pieces.push_back(piece.part);
+    if (texel.pieceCount++) map.pieces.back().area += map.pieces[map.pieces.size() - 2].area;
+  }
+}
+
+void dilate(TexelMap& map) {
+  map.nearest.assign(size_t(map.width) * map.height, asset::kNone);
+  std::vector<int> distance(map.nearest.size(), kGutterTexels * kGutterTexels + 1);
+  for (uint32_t i = 0; i < map.texels.size(); ++i) {
+    const ivec2 centre(map.texels[i].x, map.texels[i].y);
+    const ivec2 low = glm::max(centre - kGutterTexels, ivec2(0));
+    const ivec2 high = glm::min(centre + kGutterTexels, ivec2(map.width - 1, map.height - 1));
+    for (int y = low.y; y <= high.y; ++y)
+      for (int x = low.x; x <= high.x; ++x) {
+        const int squared = (x - centre.x) * (x - centre.x) + (y - centre.y) * (y - centre.y);
+        const size_t at = size_t(y) * map.width + x;
+        if (squared >= distance[at]) continue;
+        distance[at] = squared;
+        map.nearest[at] = i;
+      }
+  }
+}
+
+}  // namespace
+
+TexelMap makeTexels(const Scene& scene, uint32_t width, uint32_t height) {
+  Cutter cutter(scene, width, height);
+  for (uint32_t t = 0; t < scene.triangles.size(); ++t) cutter.cut(t);
+  TexelMap map;
+  map.width = width;
+  map.height = height;
+  gather(map, cutter.pieces);
+  dilate(map);
+  return map;
+}
+
+SurfacePoint sampleFootprint(std::span<const FootprintPiece> footprint, vec2 sample) {
+  const float target = sample.x * footprint.back().area;
+  const auto piece = std::upper_bound(footprint.begin(), footprint.end() - 1, target,
+                                      [](float area, const FootprintPiece& p) { return area < p.area; });
+  const float before = piece == footprint.begin() ? 0.0f : std::prev(piece)->area;
+  // What is left of the first number is uniform again inside the piece.
+  const float u = std::clamp((target - before) / std::max(piece->area - before, 1e-30f), 0.0f, 1.0f);
+  const float root = std::sqrt(u);
+  const vec2 barycentric = (1 - root) * piece->corner[0] + root * (1 - sample.y) * piece->corner[1] +
+                           root * sample.y * piece->corner[2];
+  return {piece->triangle, barycentric};
+}
+
+}  // namespace boxlight

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/base/math.h"
+
+namespace boxlight {
+
+/// What one path leaves on the receiver sphere. The light transport kernel is T = sum of throughput *
+/// delta(direction) / pathCount; paths that do not escape leave nothing.
+struct Deposit {
+  vec2 uv{0.0f};         ///< escape direction in the light domain (common/light/light_domain.h)
+  Rgb throughput{0.0f};  ///< finite, >= 0
+};
+
+}  // namespace boxlight

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/transport/intersect.h"
+
+#include <embree3/rtcore.h>
+
+#include <cmath>
+#include <cstring>
+
+#include "common/base/error.h"
+
+namespace boxlight {
+
+struct Intersector::Impl {
+  explicit Impl(const Scene& s) : scene(s) {}
+  ~Impl() {
+    if (world) rtcReleaseScene(world);
+    if (device) rtcReleaseDevice(device);
+  }
+  const Scene& scene;
+  RTCDevice device = nullptr;
+  RTCScene world = nullptr;
+};
+
+namespace {
+
+bool isMasked(const Scene& scene) {
+  for (const asset::Material& material : scene.materials)
+    if (material.flags & asset::kAlphaMask) return true;
+  return false;
+}
+
+/// Embree calls it for one ray at a time, since only rtcIntersect1 and rtcOccluded1 are used.
+void dropMasked(const RTCFilterFunctionNArguments* arguments) {
+  const Scene& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
+  const uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
+  const asset::Material& material = scene.materials[scene.triangles[triangle].material];
+  if (!(material.flags & asset::kAlphaMask)) return;
+  const SurfacePoint point{
+      triangle, {RTCHitN_u(arguments->hit, arguments->N, 0), RTCHitN_v(arguments->hit, arguments->N, 0)}};
+  if (sampleAlpha(scene, point) < material.alphaCutoff) arguments->valid[0] = 0;
+}
+
+RTCGeometry makeGeometry(RTCDevice device, const Scene& scene) {
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* positions = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), scene.vertices.size()));
+  auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), scene.triangles.size()));
+  if (!positions || !indices)
+    fail(ExitCode::runtime, "{}: Embree has no memory for the scene", scene.path.string());
+  for (size_t i = 0; i < scene.vertices.size(); ++i)
+    std::memcpy(positions + 3 * i, scene.vertices[i].position, 12);
+  for (size_t i = 0; i < scene.triangles.size(); ++i)
+    std::memcpy(indices + 3 * i, scene.triangles[i].vertex, 12);
+  rtcSetGeometryUserData(geometry, const_cast<Scene*>(&scene));
+  if (isMasked(scene)) {
+    rtcSetGeometryIntersectFilterFunction(geometry, dropMasked);
+    rtcSetGeometryOccludedFilterFunction(geometry, dropMasked);
+  }
+  rtcCommitGeometry(geometry);
+  return geometry;
+}
+
+RTCRay makeRay(const Ray& ray) {
+  RTCRay r{};
+  r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
+  r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
+  r.tnear = 0.0f;
+  r.tfar = std::numeric_limits<float>::infinity();
+  r.mask = ~0u;
+  return r;
+}
+
+}  // namespace
+
+Intersector::Intersector(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {
+  // One instruction set and a serial build: the hits do not depend on the processor's newest extension or on
+  // the threads.
+  impl_->device = rtcNewDevice("threads=1,max_isa=avx2");
+  if (!impl_->device)
+    fail(ExitCode::runtime, "Embree cannot start (error {})", int(rtcGetDeviceError(nullptr)));
+  impl_->world = rtcNewScene(impl_->device);
+  rtcSetSceneFlags(impl_->world, RTC_SCENE_FLAG_ROBUST);  // no rays through shared edges
+  rtcSetSceneBuildQuality(impl_->world, RTC_BUILD_QUALITY_HIGH);
+  RTCGeometry geometry = makeGeometry(impl_->device, scene);
+  rtcAttachGeometry(impl_->world, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(impl_->world);
+  if (rtcGetDeviceError(impl_->device) != RTC_ERROR_NONE)
+    fail(ExitCode::runtime, "{}: Embree cannot build its hierarchy", scene.path.string());
+}
+
+Intersector::~Intersector() = default;
+
+const Scene& Intersector::scene() const { return impl_->scene; }
+
+std::optional<SurfacePoint> Intersector::intersect(const Ray& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRayHit query{};
+  query.ray = makeRay(ray);
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(impl_->world, &context, &query);
+  if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
+  return SurfacePoint{query.hit.primID, {query.hit.u, query.hit.v}};
+}
+
+bool Intersector::occluded(const Ray& ray) const {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  RTCRay query = makeRay(ray);
+  rtcOccluded1(impl_->world, &context, &query);
+  return query.tfar < 0.0f;
+}
+
+vec3 offsetOrigin(const Scene& scene, const SurfacePoint& point, vec3 position, vec3 normal) {
+  float magnitude = 0.0f;
+  for (uint32_t vertex : scene.triangles[point.triangle].vertex)
+    for (float coordinate : scene.vertices[vertex].position)
+      magnitude = std::max(magnitude, std::abs(coordinate));
+  constexpr float kUnitsInLastPlace = 32.0f * 0x1p-23f;
+  return position + (kUnitsInLastPlace * magnitude) * normal;
+}
+
+}  // namespace boxlight

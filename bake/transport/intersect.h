@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "bake/scene/material.h"
+#include "bake/scene/scene.h"
+
+namespace boxlight {
+
+struct Ray {
+  vec3 origin{0.0f}, direction{0.0f};
+};
+
+/// Ray queries on a scene, by Embree. A surface whose alphaMode is MASK is not there where its alpha is below
+/// the cutoff. Every other surface stops a ray from both sides: culling is a matter of the camera, not of
+/// light (docs/theory.md). The scene must outlive it. Queries are thread-safe; the same scene gives the same
+/// hits whatever the number of threads.
+class Intersector {
+ public:
+  explicit Intersector(const Scene& scene);
+  ~Intersector();
+  Intersector(const Intersector&) = delete;
+  Intersector& operator=(const Intersector&) = delete;
+
+  std::optional<SurfacePoint> intersect(const Ray& ray) const;
+  bool occluded(const Ray& ray) const;  ///< does anything stand between the origin and infinity?
+  const Scene& scene() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// `position`, known to float precision, moved off the surface to the side of the unit normal by some tens of
+/// units in the last place of its largest coordinate and of the triangle's: enough that a ray does not meet
+/// the surface it starts from, and far below any shadow's scale at any scene scale.
+vec3 offsetOrigin(const Scene& scene, const SurfacePoint& point, vec3 position, vec3 normal);
+
+}  // namespace boxlight

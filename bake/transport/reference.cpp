@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/transport/reference.h"
+
+#include <tbb/parallel_for.h>
+
+#include "bake/transport/bsdf.h"
+#include "bake/transport/reference_integrator.h"
+
+namespace boxlight {
+namespace {
+
+constexpr uint32_t kPictureStream = 0xFFFFFFFFu;  ///< apart from every stream of a bake
+constexpr int kMaximumLayers = 64;                ///< culled faces that a camera ray passes
+
+/// Running mean and variance: Welford, "Note on a method for calculating corrected sums of squares",
+/// Technometrics 4(3), 1962.
+struct PixelSum {
+  void add(Rgb radiance, float alpha) {
+    ++count;
+    const dvec3 delta = dvec3(radiance) - mean;
+    mean += delta / double(count);
+    squares += delta * (dvec3(radiance) - mean);
+    coverage += (double(alpha) - coverage) / double(count);
+  }
+  Rgb varianceOfMean() const {
+    return count > 1 ? Rgb(squares / double(count) / double(count - 1)) : Rgb(0.0f);
+  }
+
+  uint64_t count = 0;
+  dvec3 mean{0.0}, squares{0.0};
+  double coverage = 0;
+};
+
+std::optional<SurfacePoint> intersectCamera(const Intersector& world, Ray ray) {
+  for (int layer = 0; layer < kMaximumLayers; ++layer) {
+    const auto point = world.intersect(ray);
+    if (!point) return std::nullopt;
+    const Scene& scene = world.scene();
+    const SurfaceFrame frame = surfaceFrame(scene, *point);
+    const bool back = glm::dot(frame.geometricNormal, ray.direction) > 0.0f;
+    if (!back || scene.materials[scene.triangles[point->triangle].material].flags & asset::kDoubleSided)
+      return point;
+    ray.origin = offsetOrigin(scene, *point, frame.position, frame.geometricNormal);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ReferencePicture renderPicture(const Intersector& world, const EnvironmentSampler& environment,
+                               const Camera& camera, const ReferenceOptions& options,
+                               const RadianceEstimator& estimate) {
+  const uvec2 size = camera.size;
+  ReferencePicture picture{makeImage(size.x, size.y, 4), makeImage(size.x, size.y, 3)};
+  Progress progress("render", size.y, options.progress);
+  auto renderPixel = [&](uint32_t x, uint32_t y) {
+    PixelSum sum;
+    for (uint32_t s = 0; s < options.samplesPerPixel; ++s) {
+      Sampler sampler({options.seed, y * size.x + x, kPictureStream}, s);
+      const vec3 direction = camera.direction(vec2(x, y) + sampler.next2());
+      if (const auto point = intersectCamera(world, {camera.eye, direction}))
+        sum.add(estimate(*point, direction, sampler), 1.0f);
+      else if (options.background)
+        sum.add(environment.radiance(direction), 1.0f);
+      else
+        sum.add(Rgb(0.0f), 0.0f);
+    }
+    const Rgb variance = sum.varianceOfMean();
+    for (int c = 0; c < 3; ++c) {
+      picture.mean.at(x, y)[c] = float(sum.mean[c]);
+      picture.variance.at(x, y)[c] = variance[c];
+    }
+    picture.mean.at(x, y)[3] = float(sum.coverage);
+  };
+  tbb::parallel_for(0u, size.y, [&](uint32_t y) {
+    for (uint32_t x = 0; x < size.x && !interrupted(); ++x) renderPixel(x, y);
+    progress.advance();
+  });
+  throwIfInterrupted("interrupted: no picture was written");
+  return picture;
+}
+
+ReferencePicture renderReference(const Intersector& world, const EnvironmentSampler& environment,
+                                 const Camera& camera, const ReferenceOptions& options) {
+  const ReferenceIntegrator<Bsdf> integrator(world, environment, options.bounces);
+  return renderPicture(world, environment, camera, options,
+                       [&](const SurfacePoint& point, vec3 direction, Sampler& sampler) {
+                         return integrator.radiance(point, direction, sampler);
+                       });
+}
+
+}  // namespace boxlight

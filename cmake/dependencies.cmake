@@ -1,0 +1,23 @@
+# SPDX-License-Identifier: Apache-2.0
+# scripts/setup installs these; the header-only ones are taken from the system include path.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
+find_package(embree 3 REQUIRED)
+find_package(OpenImageIO REQUIRED)
+# Debian 12's package names OpenCV's include folder, which it does not depend on; CMake refuses a folder that is not there.
+get_target_property(oiio_includes OpenImageIO::OpenImageIO INTERFACE_INCLUDE_DIRECTORIES)
+list(FILTER oiio_includes EXCLUDE REGEX opencv)
+set_target_properties(OpenImageIO::OpenImageIO PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${oiio_includes}")
+find_package(Eigen3 REQUIRED)
+find_package(glm REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(Vulkan REQUIRED)
+find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
+pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
+pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
+find_library(TINYGLTF_LIBRARY tinygltf REQUIRED)
+find_path(TINYGLTF_INCLUDE tiny_gltf.h REQUIRED)

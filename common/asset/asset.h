@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "common/asset/asset_format.h"
+
+namespace boxlight::asset {
+
+/// Everything in a .ptb but the box pages: what a bake starts from and what both programs keep in memory.
+struct Asset {
+  Scheme scheme = Scheme::sketch;
+  nlohmann::ordered_json provenance;  ///< tool version, options, scene hash, seed
+  Info info{};                        ///< the counts are set by the writer from the vectors below
+  std::vector<Vertex> vertices;
+  std::vector<Triangle> triangles;
+  std::vector<Material> materials;
+  std::vector<Texture> textures;
+  std::vector<uint32_t> texels;  ///< RGBA8, R in the low byte
+  std::vector<AtlasTexel> atlas;
+  std::vector<TexelRecord> records;
+  std::vector<Tile> tiles;
+  std::vector<uint64_t> streamMasks;  ///< [stream * tileCount + tile]
+
+  uint32_t streamCount() const { return info.viewCount + 1; }
+  uint32_t diffuseStream() const { return info.viewCount; }
+  uint64_t mask(uint32_t stream, uint32_t tile) const {
+    return streamMasks[size_t(stream) * tiles.size() + tile];
+  }
+  uint32_t boxesPerKernel(uint32_t stream, uint32_t tile) const {
+    return stream == diffuseStream() ? tiles[tile].diffuseBoxes : tiles[tile].glossyBoxes;
+  }
+};
+
+}  // namespace boxlight::asset

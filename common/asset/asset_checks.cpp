@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/asset/asset_checks.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "common/asset/number_checks.h"
+
+namespace boxlight::asset {
+namespace {
+
+using enum FindingCode;
+
+bool validFrequency(uint32_t frequency) { return frequency >= 1 && frequency <= kMaxViewFrequency; }
+
+void checkInfo(const Info& info, const Reporter& report) {
+  const auto size = [&](uint32_t value, uint32_t limit, const char* name) {
+    if (value < 1 || value > limit)
+      report(limits, chunk::kInfo, name, "{}, allowed are 1 to {}", value, limit);
+  };
+  size(info.atlasWidth, kMaxAtlasSize, "atlasWidth");
+  size(info.atlasHeight, kMaxAtlasSize, "atlasHeight");
+  size(info.viewFrequency, kMaxViewFrequency, "viewFrequency");
+  if (const uint32_t f = info.viewFrequency; validFrequency(f) && info.viewCount != 10 * f * f + 2)
+    report(viewCount, chunk::kInfo, "viewCount", "{} views at frequency {}, which has {}", info.viewCount, f,
+           10 * f * f + 2);
+  if (!allFinite(info.boundsMin) || !allFinite(info.boundsMax))
+    report(notFinite, chunk::kInfo, "bounds", "NaN or infinite");
+}
+
+void checkRecord(const Asset& asset, const ChunkSet& present, uint32_t index, const Reporter& report) {
+  const TexelRecord& r = asset.records[index];
+  const auto bad = [&](FindingCode code, const char* what) {
+    report(code, chunk::kRecords, fmt::format("record {}", index), "{}", what);
+  };
+  const std::array numbers = {allFinite(r.position), allFinite(r.normal),        allFinite(r.tangent),
+                              allFinite(r.f0),       std::isfinite(r.roughness), std::isfinite(r.metallic)};
+  if (std::find(numbers.begin(), numbers.end(), false) != numbers.end())
+    return bad(notFinite, "NaN or infinite");
+  if (!isUnit(r.normal)) bad(recordFrame, "the normal is not unit");
+  if (!isUnit(r.tangent)) bad(recordFrame, "the tangent is not unit");
+  if (!isFraction(r.roughness)) bad(recordValue, "roughness outside [0,1]");
+  if (!isFraction(r.metallic)) bad(recordValue, "metallic outside [0,1]");
+  if (!std::all_of(std::begin(r.f0), std::end(r.f0), isFraction)) bad(recordValue, "f0 outside [0,1]");
+  if (present.has({chunk::kMaterials}) && r.material >= asset.materials.size())
+    bad(recordMaterial, "no such material");
+  if (present.has({chunk::kInfo}) &&
+      (r.atlasX >= asset.info.atlasWidth || r.atlasY >= asset.info.atlasHeight))
+    bad(recordTexel, "outside the atlas");
+  if ((r.flags & ~uint32_t(kBackSide)) != 0 || r.reserved != 0 || r.emissionSlot != kNone)
+    bad(reserved, "unknown flags, emissionSlot or reserved field");
+}
+
+void checkAtlasSide(const Asset& asset, size_t index, uint32_t record, bool back, const Reporter& report) {
+  if (record == kNone) return;
+  const bool exists = record < asset.records.size();
+  if (exists && bool(asset.records[record].flags & kBackSide) == back) return;
+  report(atlasRecord, chunk::kAtlas, fmt::format("texel {}, {}", index, back ? "back" : "front"),
+         "record {} {}", record,
+         exists ? "is of the other side" : fmt::format("of {}", asset.records.size()));
+}
+
+}  // namespace
+
+void checkAtlas(const Asset& asset, const ChunkSet& present, const Reporter& report) {
+  if (present.has({chunk::kInfo, chunk::kAtlas})) {
+    const uint64_t texels = uint64_t(asset.info.atlasWidth) * asset.info.atlasHeight;
+    if (asset.atlas.size() != texels)
+      report(counts, chunk::kAtlas, "", "{} entries, the atlas has {} texels", asset.atlas.size(), texels);
+  }
+  for (uint32_t i = 0; i < asset.records.size(); ++i) checkRecord(asset, present, i, report);
+  if (!present.has({chunk::kAtlas, chunk::kRecords})) return;
+  for (size_t i = 0; i < asset.atlas.size(); ++i) {
+    checkAtlasSide(asset, i, asset.atlas[i].front, false, report);
+    checkAtlasSide(asset, i, asset.atlas[i].back, true, report);
+  }
+}
+
+void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& report) {
+  uint64_t next = 0;
+  for (size_t i = 0; i < asset.tiles.size(); ++i) {
+    const Tile& tile = asset.tiles[i];
+    const std::string place = fmt::format("tile {}", i);
+    if (tile.firstRecord != next || tile.recordCount < 1 || tile.recordCount > kTileRecords)
+      report(tileRange, chunk::kTiles, place, "{} records from {}, the one before ends at {}",
+             tile.recordCount, tile.firstRecord, next);
+    if (tile.glossyBoxes > kMaxBoxesPerKernel || tile.diffuseBoxes > kMaxBoxesPerKernel)
+      report(tileBoxes, chunk::kTiles, place, "{} glossy and {} diffuse boxes per kernel, the limit is {}",
+             tile.glossyBoxes, tile.diffuseBoxes, kMaxBoxesPerKernel);
+    next = uint64_t(tile.firstRecord) + tile.recordCount;
+  }
+  if (present.has({chunk::kTiles, chunk::kRecords}) && next != asset.records.size())
+    report(tileRange, chunk::kTiles, "", "the last tile ends at record {} of {}", next, asset.records.size());
+  if (!present.has({chunk::kInfo, chunk::kTiles, chunk::kStreamMasks}) ||
+      !validFrequency(asset.info.viewFrequency))
+    return;
+  const uint64_t expected = (uint64_t(asset.info.viewCount) + 1) * asset.tiles.size();
+  if (asset.streamMasks.size() != expected)
+    return report(counts, chunk::kStreamMasks, "", "{} masks, expected {}", asset.streamMasks.size(),
+                  expected);
+  for (size_t i = 0; i < asset.streamMasks.size(); ++i) {
+    const auto stream = uint32_t(i / asset.tiles.size()), tile = uint32_t(i % asset.tiles.size());
+    const uint64_t mask = asset.streamMasks[i];
+    const uint32_t records = asset.tiles[tile].recordCount;
+    if (records < 64 && mask >> records != 0)
+      report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
+             "mask {:#x} of a tile of {} records", mask, records);
+    if (mask != 0 && asset.boxesPerKernel(stream, tile) == 0)
+      report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
+             "mask {:#x}, but the kernels have no boxes", mask);
+  }
+}
+
+void checkCounts(const LoadedAsset& loaded, const Reporter& report) {
+  const Asset& asset = loaded.asset;
+  if (!loaded.present.has({chunk::kInfo})) return;
+  const auto count = [&](uint32_t type, uint64_t actual, uint64_t recorded) {
+    if (loaded.present.has({type}) && actual != recorded)
+      report(counts, type, "", "{} entries, INFO says {}", actual, recorded);
+  };
+  count(chunk::kVertices, asset.vertices.size(), asset.info.vertexCount);
+  count(chunk::kTriangles, asset.triangles.size(), asset.info.triangleCount);
+  count(chunk::kMaterials, asset.materials.size(), asset.info.materialCount);
+  count(chunk::kTextures, asset.textures.size(), asset.info.textureCount);
+  count(chunk::kRecords, asset.records.size(), asset.info.recordCount);
+  count(chunk::kTiles, asset.tiles.size(), asset.info.tileCount);
+  if (loaded.present.has({chunk::kStreamMasks}) && loaded.present.has({chunk::kPageIndex}) &&
+      loaded.pageIndex.size() != asset.streamMasks.size())
+    report(counts, chunk::kPageIndex, "", "{} entries, MASK has {}", loaded.pageIndex.size(),
+           asset.streamMasks.size());
+}
+
+void checkTables(const Asset& asset, const ChunkSet& present, const Reporter& report) {
+  if (present.has({chunk::kInfo})) checkInfo(asset.info, report);
+  checkMesh(asset, present, report);
+  checkMaterials(asset, present, report);
+  checkTextures(asset, present, report);
+  checkAtlas(asset, present, report);
+  checkTiles(asset, present, report);
+}
+
+}  // namespace boxlight::asset

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "common/asset/asset_load.h"
+
+namespace boxlight::asset {
+
+/// Checks every value of `asset` against docs/format.md: numbers finite, indices in range, tables consistent.
+/// Looks only at the chunks that are present. What reports no error can be used without a further check. The
+/// counts in Info are not looked at.
+void checkTables(const Asset& asset, const ChunkSet& present, const Reporter& report);
+
+/// The parts of checkTables.
+void checkMesh(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkMaterials(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkTextures(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkAtlas(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& report);
+
+/// Does each table have as many entries as Info says?
+void checkCounts(const LoadedAsset& loaded, const Reporter& report);
+
+/// Are all the tables there, with fitting sizes, that finding a page takes?
+bool pagesCanBeFound(const LoadedAsset& loaded);
+
+/// Does each page lie in PAGE, of `pagesSize` stored bytes, and is its raw size that of its kernels? Requires
+/// pagesCanBeFound.
+void checkPageIndex(const LoadedAsset& loaded, uint64_t pagesSize, const Reporter& report);
+
+/// Has checkPageIndex nothing to say about this page, and are its boxes within the limit?
+bool pageIsSound(const LoadedAsset& loaded, uint32_t stream, uint32_t tile, uint64_t pagesSize);
+
+/// The boxes of one page, kernel after kernel.
+void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const std::string& place,
+                const Reporter& report);
+
+/// Boxes in the page of one stream of one tile.
+uint64_t pageBoxCount(const Asset& asset, uint32_t stream, uint32_t tile);
+
+/// "view 12, tile 3" or "diffuse, tile 3"
+std::string pagePlace(const Asset& asset, uint32_t stream, uint32_t tile);
+
+}  // namespace boxlight::asset

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
+#include "common/asset/asset.h"
+#include "common/asset/chunk_file.h"
+
+namespace boxlight::asset {
+
+/// Calls f(chunk type, vector) for each array that Asset holds, in the order in which the writer writes them.
+template <class A, class F>
+void forEachTable(A& asset, F&& f) {
+  f(chunk::kVertices, asset.vertices);
+  f(chunk::kTriangles, asset.triangles);
+  f(chunk::kMaterials, asset.materials);
+  f(chunk::kTextures, asset.textures);
+  f(chunk::kTexels, asset.texels);
+  f(chunk::kAtlas, asset.atlas);
+  f(chunk::kRecords, asset.records);
+  f(chunk::kTiles, asset.tiles);
+  f(chunk::kStreamMasks, asset.streamMasks);
+}
+
+/// Which chunks of a file could be read.
+class ChunkSet {
+ public:
+  void add(uint32_t type) { types_.push_back(type); }
+  bool has(std::initializer_list<uint32_t> types) const {
+    return std::all_of(types.begin(), types.end(), [&](uint32_t type) {
+      return std::find(types_.begin(), types_.end(), type) != types_.end();
+    });
+  }
+
+ private:
+  std::vector<uint32_t> types_;
+};
+
+struct LoadedAsset {
+  Asset asset;
+  std::vector<PageEntry> pageIndex;
+  ChunkSet present;
+};
+
+/// Reads every chunk but the pages. Values are as in the file: checkContents (asset_checks.h) looks at them.
+LoadedAsset loadAsset(const ChunkFile& file, const Reporter& report);
+
+}  // namespace boxlight::asset

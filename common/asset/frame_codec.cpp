@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/asset/frame_codec.h"
+
+#include <zstd.h>
+
+#include <algorithm>
+#include <memory>
+#include <new>
+
+namespace boxlight::asset {
+namespace {
+
+// Measured on pages of eight-box kernels: higher levels gain a few per cent and cost several times the time.
+constexpr int kLevel = 6;
+
+ZSTD_DCtx* threadContext() {
+  struct Free {
+    void operator()(ZSTD_DCtx* context) const { ZSTD_freeDCtx(context); }
+  };
+  thread_local const std::unique_ptr<ZSTD_DCtx, Free> context(ZSTD_createDCtx());
+  if (!context) throw std::bad_alloc();
+  return context.get();
+}
+
+}  // namespace
+
+FrameCompressor::FrameCompressor() : context_(ZSTD_createCCtx()) {
+  if (!context_) throw std::bad_alloc();
+}
+
+FrameCompressor::~FrameCompressor() { ZSTD_freeCCtx(static_cast<ZSTD_CCtx*>(context_)); }
+
+std::span<const std::byte> FrameCompressor::compress(std::span<const std::byte> raw) {
+  buffer_.resize(std::max(buffer_.size(), ZSTD_compressBound(raw.size())));
+  const size_t size = ZSTD_compressCCtx(static_cast<ZSTD_CCtx*>(context_), buffer_.data(), buffer_.size(),
+                                        raw.data(), raw.size(), kLevel);
+  if (ZSTD_isError(size)) throw std::bad_alloc();  // the buffer is large enough: memory is all it can lack
+  return std::span(buffer_).first(size);
+}
+
+bool decompressFrame(std::span<const std::byte> frame, std::span<std::byte> raw) {
+  if (ZSTD_getFrameContentSize(frame.data(), frame.size()) != raw.size()) return false;
+  if (ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size()) return false;
+  return ZSTD_decompressDCtx(threadContext(), raw.data(), raw.size(), frame.data(), frame.size()) ==
+         raw.size();
+}
+
+}  // namespace boxlight::asset

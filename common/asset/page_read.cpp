@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/asset/page_read.h"
+
+#include "common/asset/asset_checks.h"
+#include "common/asset/frame_codec.h"
+#include "common/base/file.h"
+
+namespace boxlight::asset {
+
+std::vector<PackedBox> readPage(const ChunkFile& file, const LoadedAsset& loaded, uint32_t stream,
+                                uint32_t tile, const Reporter& report) {
+  const Asset& asset = loaded.asset;
+  const PageEntry& entry = loaded.pageIndex[size_t(stream) * asset.tiles.size() + tile];
+  if (entry.storedSize == 0) return {};
+  thread_local std::vector<std::byte> stored;
+  stored.resize(entry.storedSize);
+  file.readAt(file.find(chunk::kPages)->offset + entry.offset, stored);
+  const std::string place = pagePlace(asset, stream, tile);
+  if (const uint64_t hash = xxh64(stored); hash != entry.hash) {
+    report(FindingCode::pageHash, chunk::kPages, place, "hash {:016x}, recorded {:016x}", hash, entry.hash);
+    return {};
+  }
+  std::vector<PackedBox> boxes(pageBoxCount(asset, stream, tile));
+  if (!decompressFrame(stored, std::as_writable_bytes(std::span(boxes)))) {
+    report(FindingCode::pageFrame, chunk::kPages, place, "not one zstd frame of {} bytes",
+           boxes.size() * sizeof(PackedBox));
+    return {};
+  }
+  checkBoxes(boxes, asset.boxesPerKernel(stream, tile), place, report);
+  return boxes;
+}
+
+}  // namespace boxlight::asset

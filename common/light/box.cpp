@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/light/box.h"
+
+#include <cmath>
+#include <glm/gtc/packing.hpp>
+
+#include "common/light/light_domain.h"
+
+namespace boxlight {
+namespace {
+
+constexpr float kSteps = 65536.0f;
+
+int roundToStep(float value) { return int(std::lround(double(value) * kSteps)); }
+
+}  // namespace
+
+double Box::solidAngle() const { return rectangleSolidAngle(du, v0, double(v0) + double(dv)); }
+
+Rgb Box::weight() const {
+  const double omega = solidAngle();
+  return omega > 0.0 ? Rgb(dvec3(energy) / omega) : Rgb(0.0f);
+}
+
+PackedBox packBox(const Box& box) {
+  const int u0 = roundToStep(box.u0), v0 = std::clamp(roundToStep(box.v0), 0, 65535);
+  const int u1 = roundToStep(box.u0 + box.du), v1 = std::clamp(roundToStep(box.v0 + box.dv), v0 + 1, 65536);
+  PackedBox packed;
+  packed.u0 = uint16_t(u0 & 65535);
+  packed.v0 = uint16_t(v0);
+  packed.du = uint16_t(std::clamp(u1 - u0, 1, 65536) - 1);
+  packed.dv = uint16_t(v1 - v0 - 1);
+  for (int c = 0; c < 3; ++c) packed.energy[c] = glm::packHalf1x16(std::min(box.energy[c], 65504.0f));
+  return packed;
+}
+
+Box unpackBox(const PackedBox& packed) {
+  Box box;
+  box.u0 = float(packed.u0) / kSteps;
+  box.v0 = float(packed.v0) / kSteps;
+  box.du = float(packed.du + 1) / kSteps;
+  box.dv = std::min(float(packed.dv + 1) / kSteps, 1.0f - box.v0);
+  for (int c = 0; c < 3; ++c) box.energy[c] = glm::unpackHalf1x16(packed.energy[c]);
+  return box;
+}
+
+}  // namespace boxlight

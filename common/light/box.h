@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "common/base/math.h"
+
+namespace boxlight {
+
+/// One box of Equation 2: constant inside a phi-theta rectangle of the light domain, zero outside.
+struct Box {
+  float u0 = 0;  ///< left edge, [0,1); the box may wrap over u = 1
+  float v0 = 0;  ///< upper edge, [0,1]
+  float du = 0;  ///< width in u, (0,1]; 1 is a full ring
+  float dv = 0;  ///< height in v, (0,1]; v0 + dv <= 1
+  Rgb energy{
+      0.0f};  ///< w * Omega per channel: what the box returns under a constant environment of radiance 1
+
+  double solidAngle() const;  ///< steradians, by rectangleSolidAngle
+  Rgb weight() const;         ///< w = energy / solidAngle; 0 for an empty box
+};
+
+/// A box as it stands in asset pages and in storage buffers: 16 bytes, four little-endian 32-bit words in
+/// GLSL. Normative in docs/format.md, section "Box".
+struct PackedBox {
+  uint16_t u0 = 0, v0 = 0;  ///< edge = code / 65536
+  uint16_t du = 0,
+           dv = 0;  ///< size = (code + 1) / 65536: never zero, and 65535 reaches a full ring or both poles
+  uint16_t energy[3] = {0, 0, 0};  ///< IEEE half floats; all zero in an empty box
+  uint16_t reserved = 0;           ///< zero
+};
+static_assert(sizeof(PackedBox) == 16);
+
+/// Rounds the edges to the nearest code. Energy is kept, so a moved edge costs no energy (Omega
+/// compensation).
+PackedBox packBox(const Box& box);
+Box unpackBox(const PackedBox& packed);
+
+}  // namespace boxlight

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/light/ggx.h"
+
+#include <cmath>
+
+namespace boxlight::ggx {
+namespace {
+
+/// (n.x) (1 + 2 Lambda(x)): stays positive at grazing angles, where Lambda grows without bound.
+float stretchedCosine(float cosine, float alpha) {
+  const float a2 = alpha * alpha;
+  return std::sqrt(a2 + (1.0f - a2) * cosine * cosine);
+}
+
+}  // namespace
+
+float distribution(vec3 half, float alpha) {
+  if (half.z <= 0.0f) return 0.0f;
+  const float a2 = alpha * alpha;
+  const float slope = half.x * half.x + half.y * half.y + a2 * half.z * half.z;
+  return a2 / (kPi * slope * slope);
+}
+
+float lambda(float cosine, float alpha) { return 0.5f * (stretchedCosine(cosine, alpha) / cosine - 1.0f); }
+
+float masking(float cosine, float alpha) { return 2.0f * cosine / (cosine + stretchedCosine(cosine, alpha)); }
+
+float visibility(float nDotL, float nDotV, float alpha) {
+  return 0.5f / (nDotL * stretchedCosine(nDotV, alpha) + nDotV * stretchedCosine(nDotL, alpha));
+}
+
+float schlickWeight(float vDotH) {
+  const float m = std::clamp(1.0f - vDotH, 0.0f, 1.0f);
+  const float m2 = m * m;
+  return m2 * m2 * m;
+}
+
+vec3 sampleVisibleNormal(vec3 view, float alpha, vec2 random) {
+  const vec3 stretched = glm::normalize(vec3(alpha * view.x, alpha * view.y, view.z));
+  // Half is `stretched` plus a uniform point of the cap of the unit sphere above -stretched.z. Its height is
+  // found before the point's, so that it never cancels to zero.
+  const float height = (1.0f - random.y) * (1.0f + stretched.z), z = height - stretched.z;
+  const float ring = std::sqrt(std::clamp(1.0f - z * z, 0.0f, 1.0f));
+  const float phi = 2.0f * kPi * random.x;
+  const vec2 tangential = vec2(ring * std::cos(phi), ring * std::sin(phi)) + vec2(stretched);
+  return glm::normalize(vec3(alpha * tangential, height));
+}
+
+float visibleNormalDensity(vec3 view, vec3 half, float alpha) {
+  const float vDotH = std::max(glm::dot(view, half), 0.0f);
+  return 2.0f * vDotH * distribution(half, alpha) / (view.z + stretchedCosine(view.z, alpha));
+}
+
+}  // namespace boxlight::ggx

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/base/math.h"
+
+namespace boxlight {
+
+/// The light domain is the equirectangular map, u in [0,1) periodic, v in [0,1] from +Y down to -Y:
+///   u = 1/2 + atan2(d.z, d.x) / 2 pi,   v = acos(d.y) / pi.
+/// Centre column = +X, 3/4 = +Z. d is a unit vector that points away from the surface.
+vec2 directionToUv(vec3 direction);
+
+/// The inverse of directionToUv.
+vec3 uvToDirection(vec2 uv);
+
+/// Solid angle in steradians of the phi-theta rectangle [*, * + du] x [v0, v1]: 2 pi du (cos(pi v0) - cos(pi
+/// v1)).
+double rectangleSolidAngle(double du, double v0, double v1);
+
+/// `--env-rotation` turns the environment by `degrees` about +Y, counter-clockwise seen from above. A box or
+/// a direction at u then reads the unrotated map at u + environmentOffset(degrees), modulo 1.
+float environmentOffset(float degrees);
+
+}  // namespace boxlight

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/light/relight.h"
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+
+namespace boxlight {
+namespace {
+
+vec3 toVec3(const float (&v)[3]) { return {v[0], v[1], v[2]}; }
+
+bool hasEnergy(const Box& box) { return box.energy.x > 0.0f || box.energy.y > 0.0f || box.energy.z > 0.0f; }
+
+/// fract(c - du / 2) for the mean centre c; see interpolateBoxes.
+double interpolatedStart(const std::array<Box, 3>& boxes, const std::array<double, 3>& share, double du) {
+  double reference = 0.0, turned = 0.0, total = 0.0;
+  bool hasReference = false;
+  for (int k = 0; k < 3; ++k) {
+    if (!hasEnergy(boxes[k]) || boxes[k].du >= 1.0f) continue;
+    const double centre = double(boxes[k].u0) + 0.5 * double(boxes[k].du);
+    if (!hasReference) reference = centre;
+    hasReference = true;
+    const double way = centre - reference;
+    turned += share[k] * (way - std::floor(way + 0.5));
+    total += share[k];
+  }
+  if (!(total > 0.0)) return 0.0;
+  const double start = reference + turned / total - 0.5 * du;
+  return start - std::floor(start);
+}
+
+/// Mean radiance of the light over a box, times energy: w * (K . L).
+dvec3 light(const Rectangle& rectangle, dvec3 energy, const SummedArea& lights, double uOffset) {
+  return energy * lights.integrate(rectangle, uOffset) / rectangle.solidAngle();
+}
+
+}  // namespace
+
+InterpolatedBox interpolateBoxes(const std::array<Box, 3>& boxes, vec3 weight, Interpolation interpolation) {
+  std::array<double, 3> share{};  // g_k
+  double total = 0.0;             // G
+  for (int k = 0; k < 3; ++k) total += share[k] = hasEnergy(boxes[k]) ? double(weight[k]) : 0.0;
+  if (!(total > 0.0)) return {};
+
+  double v0 = 0.0, v1 = 0.0, du = 0.0;
+  dvec3 energy(0.0), boxWeight(0.0);
+  for (int k = 0; k < 3; ++k) {
+    if (share[k] == 0.0) continue;
+    const Box& box = boxes[k];
+    du += share[k] * double(box.du) / total;
+    v0 += share[k] * double(box.v0) / total;
+    v1 += share[k] * (double(box.v0) + double(box.dv)) / total;
+    energy += share[k] * dvec3(box.energy);
+    boxWeight += share[k] * dvec3(box.energy) / box.solidAngle();
+  }
+  InterpolatedBox result;
+  result.rectangle = {interpolatedStart(boxes, share, du), v0, std::min(du, 1.0), std::min(v1, 1.0) - v0};
+  result.energy = interpolation == Interpolation::energy ? energy : boxWeight * result.rectangle.solidAngle();
+  return result;
+}
+
+Relighter::Relighter(const asset::AssetReader& reader)
+    : Relighter(reader.asset(),
+                [&reader](uint32_t stream, uint32_t tile) { return reader.page(stream, tile); }) {}
+
+Relighter::Relighter(const asset::Asset& asset, PageProvider pages)
+    : asset_(asset), pages_(std::move(pages)), views_(asset.info.viewFrequency) {
+  assert(views_.viewCount() == asset.info.viewCount);
+}
+
+std::span<const PackedBox> Relighter::kernel(uint32_t stream, uint32_t record) {
+  assert(record < asset_.records.size());
+  const auto next =
+      std::upper_bound(asset_.tiles.begin(), asset_.tiles.end(), record,
+                       [](uint32_t r, const asset::Tile& tile) { return r < tile.firstRecord; });
+  const auto tile = uint32_t(next - asset_.tiles.begin()) - 1;
+  const uint32_t row = record - asset_.tiles[tile].firstRecord;
+  const uint64_t mask = asset_.mask(stream, tile);
+  if (!(mask >> row & 1)) return {};
+  const auto [page, isNew] = decoded_.try_emplace(uint64_t(stream) * asset_.tiles.size() + tile);
+  if (isNew) page->second = pages_(stream, tile);
+  const size_t boxes = asset_.boxesPerKernel(stream, tile);
+  const auto rank = size_t(std::popcount(mask & ((uint64_t(1) << row) - 1)));
+  assert((rank + 1) * boxes <= page->second.size());
+  return std::span(page->second).subspan(rank * boxes, boxes);
+}
+
+TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset,
+                                 Interpolation interpolation, uint32_t maxBoxes) {
+  TexelRadiance radiance;
+  const auto lambert = kernel(asset_.diffuseStream(), record);
+  for (const PackedBox& packed : lambert.first(std::min<size_t>(lambert.size(), maxBoxes))) {
+    const Box box = unpackBox(packed);
+    radiance.diffuse += light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
+  }
+  const asset::TexelRecord& texel = asset_.records[record];
+  const vec3 normal = toVec3(texel.normal), towards = eye - toVec3(texel.position);
+  const float distance = glm::length(towards);
+  const vec3 view = distance > 0.0f ? towards / distance : normal;
+  radiance.glossy = glossy(record, raiseAboveHorizon(view, normal), lights, uOffset, interpolation, maxBoxes);
+  return radiance;
+}
+
+dvec3 Relighter::glossy(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,
+                        Interpolation interpolation, uint32_t maxBoxes) {
+  const ViewBlend blend = views_.locate(view);
+  std::array<std::span<const PackedBox>, 3> kernels;
+  vec3 weight(0.0f);
+  size_t slots = 0;
+  for (int k = 0; k < 3; ++k) {
+    kernels[k] = kernel(blend.view[k], record);
+    if (!kernels[k].empty()) weight[k] = blend.weight[k];
+    slots = std::max(slots, kernels[k].size());
+  }
+  const float total = weight.x + weight.y + weight.z;
+  if (!(total > 0.0f)) return dvec3(0.0);
+  weight /= total;
+
+  dvec3 radiance(0.0);
+  for (size_t j = 0; j < std::min<size_t>(slots, maxBoxes); ++j) {
+    std::array<Box, 3> boxes;  // a missing view's box stays empty
+    for (int k = 0; k < 3; ++k)
+      if (!kernels[k].empty()) boxes[k] = unpackBox(kernels[k][j]);
+    const InterpolatedBox box = interpolateBoxes(boxes, weight, interpolation);
+    if (box.rectangle.du > 0.0) radiance += light(box.rectangle, box.energy, lights, uOffset);
+  }
+  return radiance;
+}
+
+}  // namespace boxlight

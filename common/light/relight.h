@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+#include "common/asset/asset_reader.h"
+#include "common/light/summed_area.h"
+#include "common/light/view_sphere.h"
+
+// Equation 3 in double precision on the CPU: the oracle that the shaders are tested against, and the place
+// where the interpolation between views is defined. The GLSL mirrors interpolateBoxes line by line.
+
+namespace boxlight {
+
+/// What is interpolated beside the geometry of a box: its energy, which keeps a constant environment exact,
+/// or its weight w, the literal reading of the sketch, kept to be measured.
+enum class Interpolation { energy, weight };
+
+struct InterpolatedBox {
+  Rectangle rectangle;
+  dvec3 energy{0.0};  ///< w * Omega(rectangle)
+};
+
+/// Box j of a texel for a view between three: `weight` are the view's barycentric weights and sum to 1.
+///   g_k  = weight_k where box k has energy, else 0: an empty box has no place. All g zero: the result is
+///   empty. G    = sum g_k du   = sum g_k du_k / G,   v0 = sum g_k v0_k / G,   v1 = sum g_k (v0_k + dv_k) / G
+///   c    = mean by g_k of the centres u0_k + du_k / 2 of the boxes with du_k < 1 (a full ring has no
+///   centre), each taken
+///          the shortest way round from the first of them, r: c = r + sum g_k s_k / sum g_k, s_k = (c_k - r)
+///          - floor(c_k - r + 1/2)
+///   u0   = fract(c - du / 2); 0 if all are full rings
+///   energy: e = sum weight_k e_k.   weight: e = Omega(result) * sum weight_k e_k / Omega_k.
+/// Convexity keeps du in (0,1] and 0 <= v0 < v1 <= 1, whatever touches a pole.
+InterpolatedBox interpolateBoxes(const std::array<Box, 3>& boxes, vec3 weight, Interpolation interpolation);
+
+/// Demodulated radiance of one side of a texel: times albedo and k_d, and times the directional albedo, it is
+/// what a camera sees.
+struct TexelRadiance {
+  dvec3 diffuse{0.0}, glossy{0.0};
+};
+
+/// Where decoded pages come from: AssetReader::page, or memory.
+using PageProvider = std::function<std::vector<PackedBox>(uint32_t stream, uint32_t tile)>;
+
+/// Relights texels of one asset. Pages are decoded once and kept. Not for concurrent use.
+class Relighter {
+ public:
+  explicit Relighter(const asset::AssetReader& reader);
+  Relighter(const asset::Asset& asset, PageProvider pages);  ///< both must outlive this
+
+  /// Radiance that leaves `record` towards `eye` under the light of `lights` turned by `uOffset`. The view
+  /// direction is raised to kHorizonCosine above the record's normal. Slots below `maxBoxes` take part; they
+  /// are stored by falling energy. A view without a kernel for this record is left out and the weights of the
+  /// others are scaled to sum to 1.
+  TexelRadiance relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset = 0.0,
+                        Interpolation interpolation = Interpolation::energy, uint32_t maxBoxes = ~0u);
+
+  /// The boxes of one kernel in slot order; empty if the record has none in this stream.
+  std::span<const PackedBox> kernel(uint32_t stream, uint32_t record);
+
+ private:
+  dvec3 glossy(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,
+               Interpolation interpolation, uint32_t maxBoxes);
+
+  const asset::Asset& asset_;
+  PageProvider pages_;
+  ViewSphere views_;
+  std::unordered_map<uint64_t, std::vector<PackedBox>> decoded_;  // by stream * tileCount + tile
+};
+
+}  // namespace boxlight

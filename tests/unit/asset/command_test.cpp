@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "bake/commands/cmd_inspect.h"
+#include "bake/commands/cmd_validate.h"
+#include "common/asset/asset_reader.h"
+#include "common/base/error.h"
+#include "common/base/file.h"
+#include "tests/format/sample_asset.h"
+#include "tests/unit/asset/surgeon.h"
+
+namespace boxlight {
+namespace {
+
+struct Outcome {
+  ExitCode code = ExitCode::ok;
+  std::string output;
+};
+
+Outcome run(const std::string& arguments) {
+  CLI::App app("test");
+  CommonOptions common;
+  addInspectCommand(app, common);
+  addValidateCommand(app, common);
+  Outcome result;
+  ::testing::internal::CaptureStdout();
+  try {
+    app.parse(arguments);
+  } catch (const Error& error) {
+    result.code = error.code();
+  }
+  result.output = ::testing::internal::GetCapturedStdout();
+  return result;
+}
+
+class Command : public ::testing::Test {
+ protected:
+  Command() { asset::makeSample({.records = 70, .recordsPerTile = 64}).write(file.path); }
+  void damage() const {
+    asset::Surgeon surgeon(readFile(file.path));
+    surgeon.edit<asset::Triangle>(asset::chunk::kTriangles, 0, [](asset::Triangle& t) { t.material = 9; });
+    for (size_t i = 0; i < 70; ++i)
+      surgeon.edit<asset::TexelRecord>(asset::chunk::kRecords, i,
+                                       [](asset::TexelRecord& r) { r.material = 9; });
+    surgeon.write(file.path);
+  }
+  const asset::TemporaryFile file;
+};
+
+TEST_F(Command, inspectAccountsForEveryByte) {
+  const Outcome result = run("inspect " + file.path.string() + " --json");
+  EXPECT_EQ(result.code, ExitCode::ok);
+  const auto summary = nlohmann::json::parse(result.output);
+  const auto& bytes = summary["bytes"];
+  uint64_t sum = bytes["head"].get<uint64_t>() + bytes["padding"].get<uint64_t>(), pages = 0;
+  for (const auto& entry : bytes["chunks"]) {
+    sum += entry["stored"].get<uint64_t>();
+    if (entry["type"] == "PAGE") pages = entry["stored"];
+  }
+  EXPECT_EQ(sum, std::filesystem::file_size(file.path));
+  EXPECT_EQ(pages,
+            bytes["glossyPages"]["stored"].get<uint64_t>() + bytes["diffusePages"]["stored"].get<uint64_t>());
+  EXPECT_EQ(summary["version"], "1.0");
+  EXPECT_EQ(summary["counts"]["records"], 70);
+  EXPECT_EQ(bytes["diffusePages"]["kernels"], 70);
+  EXPECT_EQ(bytes["diffusePages"]["boxes"], 280);
+}
+
+TEST_F(Command, inspectPrintsText) {
+  const Outcome result = run("inspect " + file.path.string());
+  for (const char* part :
+       {"1.0, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
+    EXPECT_NE(result.output.find(part), std::string::npos) << part << "\n" << result.output;
+}
+
+TEST_F(Command, validateOfAValidAsset) {
+  const Outcome json = run("validate --json " + file.path.string());
+  EXPECT_EQ(json.code, ExitCode::ok);
+  EXPECT_EQ(nlohmann::json::parse(json.output)["valid"], true);
+  const Outcome text = run("validate " + file.path.string());
+  EXPECT_EQ(text.code, ExitCode::ok);
+  EXPECT_NE(text.output.find("valid, 0 errors"), std::string::npos) << text.output;
+}
+
+TEST_F(Command, validateOfADamagedAsset) {
+  damage();
+  const Outcome json = run("validate --json " + file.path.string());
+  EXPECT_EQ(json.code, ExitCode::invalidInput);
+  const auto result = nlohmann::json::parse(json.output);
+  EXPECT_EQ(result["valid"], false);
+  EXPECT_EQ(result["errors"], 71);
+  EXPECT_EQ(result["notShown"], 60);
+  EXPECT_EQ(result["findings"].size(), 11u);
+  EXPECT_EQ(result["findings"][0]["number"], 1);
+  EXPECT_EQ(result["findings"][0]["code"], 309);
+  EXPECT_EQ(result["findings"][0]["chunk"], "TRIS");
+  const Outcome text = run("validate " + file.path.string());
+  EXPECT_EQ(text.code, ExitCode::invalidInput);
+  EXPECT_NE(text.output.find("and 60 more of 314"), std::string::npos) << text.output;
+  EXPECT_EQ(run("inspect " + file.path.string()).code, ExitCode::invalidInput);
+}
+
+TEST_F(Command, aMissingFileIsAnIoError) {
+  EXPECT_EQ(run("inspect /nonexistent.ptb").code, ExitCode::io);
+  EXPECT_EQ(run("validate /nonexistent.ptb").code, ExitCode::io);
+}
+
+}  // namespace
+}  // namespace boxlight

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <thread>
+
+#include "common/asset/asset_load.h"
+#include "common/asset/asset_validate.h"
+#include "common/base/file.h"
+#include "tests/format/sample_asset.h"
+#include "tests/unit/asset/surgeon.h"
+
+namespace boxlight::asset {
+namespace {
+
+template <class T>
+bool sameBytes(const std::vector<T>& a, const std::vector<T>& b) {
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+void expectSame(const Sample& sample, const AssetReader& reader) {
+  const Asset &written = sample.asset, &read = reader.asset();
+  EXPECT_EQ(written.scheme, read.scheme);
+  EXPECT_EQ(written.provenance, read.provenance);
+  EXPECT_EQ(written.info.viewCount, read.info.viewCount);
+  EXPECT_EQ(written.info.atlasWidth, read.info.atlasWidth);
+  EXPECT_EQ(read.info.vertexCount, written.vertices.size());
+  EXPECT_EQ(read.info.tileCount, written.tiles.size());
+  EXPECT_TRUE(sameBytes(written.vertices, read.vertices));
+  EXPECT_TRUE(sameBytes(written.triangles, read.triangles));
+  EXPECT_TRUE(sameBytes(written.materials, read.materials));
+  EXPECT_TRUE(sameBytes(written.textures, read.textures));
+  EXPECT_TRUE(sameBytes(written.texels, read.texels));
+  EXPECT_TRUE(sameBytes(written.atlas, read.atlas));
+  EXPECT_TRUE(sameBytes(written.records, read.records));
+  EXPECT_TRUE(sameBytes(written.tiles, read.tiles));
+  EXPECT_TRUE(sameBytes(written.streamMasks, read.streamMasks));
+  for (uint32_t stream = 0; stream < read.streamCount(); ++stream)
+    for (uint32_t tile = 0; tile < read.tiles.size(); ++tile)
+      EXPECT_TRUE(
+          sameBytes(sample.pages[size_t(stream) * read.tiles.size() + tile], reader.page(stream, tile)));
+}
+
+class RoundTrip : public ::testing::TestWithParam<SampleSize> {};
+
+TEST_P(RoundTrip, everyValueComesBack) {
+  const Sample sample = makeSample(GetParam());
+  const TemporaryFile file;
+  sample.write(file.path);
+  expectSame(sample, AssetReader(file.path));
+  const Validation validation = validateAsset(file.path);
+  for (const Finding& finding : validation.findings) ADD_FAILURE() << finding.message();
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Sizes, RoundTrip,
+    ::testing::Values(SampleSize{}, SampleSize{.viewFrequency = 3, .records = 70, .recordsPerTile = 64},
+                      SampleSize{.records = 64, .recordsPerTile = 64}, SampleSize{.records = 0}));
+
+TEST(AssetWriter, givesTheSameBytesForTheSameInput) {
+  const TemporaryFile first, second;
+  makeSample({.records = 200}).write(first.path);
+  makeSample({.records = 200}).write(second.path);
+  EXPECT_EQ(readFile(first.path), readFile(second.path));
+}
+
+TEST(AssetWriter, asksForPagesStreamMajorAndOnlyForThoseThatExist) {
+  const Sample sample = makeSample();
+  std::vector<std::pair<uint32_t, uint32_t>> asked, expected;
+  for (uint32_t stream = 0; stream < sample.asset.streamCount(); ++stream)
+    for (uint32_t tile = 0; tile < sample.asset.tiles.size(); ++tile)
+      if (sample.asset.mask(stream, tile) != 0) expected.emplace_back(stream, tile);
+  const TemporaryFile file;
+  writeAsset(file.path, sample.asset, [&](uint32_t stream, uint32_t tile) {
+    asked.emplace_back(stream, tile);
+    return sample.source()(stream, tile);
+  });
+  EXPECT_EQ(asked, expected);
+  EXPECT_LT(expected.size(), sample.asset.streamMasks.size());
+}
+
+Codec codecOfTexels(const Sample& sample) {
+  const TemporaryFile file;
+  sample.write(file.path);
+  const AssetReader reader(file.path);
+  Codec codec{};
+  for (const ChunkEntry& entry : reader.chunks()) {
+    EXPECT_EQ(entry.offset % 16, 0u);
+    EXPECT_TRUE(entry.codec == Codec::pages || entry.storedSize <= entry.rawSize);
+    if (entry.type == chunk::kTexels) codec = entry.codec;
+  }
+  return codec;
+}
+
+TEST(AssetWriter, alignsChunksAndCompressesOnlyWhereItHelps) {
+  Sample sample = makeSample();
+  EXPECT_EQ(codecOfTexels(sample), Codec::none) << "random texels";
+  sample.asset.texels.resize(1 << 16, 0x80808080u);
+  EXPECT_EQ(codecOfTexels(sample), Codec::zstd) << "one colour";
+}
+
+TEST(AssetWriter, staysWithinTheExpansionLimit) {
+  const TemporaryFile file;
+  Sample sample = makeSample();
+  sample.asset.texels.resize(kFreeExpansion / 4 + 1, 0);
+  sample.write(file.path);
+  EXPECT_EQ(AssetReader(file.path).asset().texels.size(), sample.asset.texels.size());
+}
+
+TEST(AssetWriter, refusesWhatTheReaderWouldRefuse) {
+  const TemporaryFile file;
+  const auto expectRefusal = [&](const Sample& sample) {
+    try {
+      sample.write(file.path);
+      ADD_FAILURE() << "written";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::runtime) << error.what();
+    }
+    EXPECT_FALSE(std::filesystem::exists(file.path));
+  };
+  Sample badIndex = makeSample(), badBox = makeSample(), shortPage = makeSample(),
+         badProvenance = makeSample();
+  badIndex.asset.triangles[1].vertex[2] = 7;
+  badBox.pages[0][0].energy[1] = 0x7C00;
+  shortPage.pages[0].pop_back();
+  badProvenance.asset.provenance = nullptr;
+  for (const Sample* sample : {&badIndex, &badBox, &shortPage, &badProvenance}) expectRefusal(*sample);
+}
+
+TEST(AssetReader, readsPagesFromSeveralThreads) {
+  const Sample sample = makeSample({.records = 70, .recordsPerTile = 7});
+  const TemporaryFile file;
+  sample.write(file.path);
+  const AssetReader reader(file.path);
+  std::vector<std::jthread> threads;
+  for (int i = 0; i < 4; ++i) threads.emplace_back([&] { expectSame(sample, reader); });
+}
+
+TEST(AssetReader, saysWhatIsWrongWithThePath) {
+  for (const char* path : {"/nonexistent/asset.ptb", "/", "/dev/null"}) try {
+      AssetReader reader{path};
+      ADD_FAILURE() << path;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::io);
+      EXPECT_NE(std::string(error.what()).find(path), std::string::npos);
+    }
+}
+
+}  // namespace
+}  // namespace boxlight::asset

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/scene/atlas.h"
+
+#include <gtest/gtest.h>
+
+#include "common/base/error.h"
+#include "tests/support/scenes.h"
+
+using namespace boxlight;
+
+namespace {
+
+Scene twoQuads(vec2 secondMin, vec2 secondMax) {
+  Scene scene = test::makeScene(test::lambert());
+  test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, vec2(0), vec2(0.5f, 1));
+  test::addQuad(scene, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2}, secondMin, secondMax);
+  return scene;
+}
+
+}  // namespace
+
+TEST(Atlas, AcceptsASetThatTouchesItselfOnlyAtEdges) {
+  Scene scene = twoQuads(vec2(0.5f, 0), vec2(1));
+  const UvSetReport report = inspectUvSet(scene, 0);
+  EXPECT_TRUE(report.usable());
+  EXPECT_EQ(report.overlap, 0);  // shared edges and diagonals are counted once
+  EXPECT_EQ(chooseAtlas(scene), 0u);
+}
+
+TEST(Atlas, MeasuresOverlap) {
+  const Scene scene = twoQuads(vec2(0.25f, 0), vec2(0.75f, 1));
+  EXPECT_NEAR(inspectUvSet(scene, 0).overlap, 0.25 / 0.75, 1e-3);
+}
+
+TEST(Atlas, RefusesWhatLeavesTheUnitSquareOrHasNoArea) {
+  EXPECT_FALSE(inspectUvSet(twoQuads(vec2(0.5f, 0), vec2(1.5f, 1)), 0).inside);
+  EXPECT_NEAR(inspectUvSet(twoQuads(vec2(0.7f), vec2(0.7f)), 0).collapsed, 0.5, 1e-6);
+}
+
+TEST(Atlas, FallsBackToTheSecondSetAndSaysWhyNoneFits) {
+  Scene scene = twoQuads(vec2(0.25f, 0), vec2(0.75f, 1));
+  try {
+    chooseAtlas(scene);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::unsupported);
+    EXPECT_NE(std::string(error.what()).find("TEXCOORD_0 overlaps itself on 33.3 %"), std::string::npos)
+        << error.what();
+    EXPECT_NE(std::string(error.what()).find("TEXCOORD_1 is missing"), std::string::npos);
+  }
+  const Scene good = twoQuads(vec2(0.5f, 0), vec2(1));
+  for (size_t i = 0; i < scene.vertices.size(); ++i)
+    for (int k = 0; k < 2; ++k) scene.vertices[i].uv[1][k] = good.vertices[i].uv[0][k];
+  scene.hasTexcoord[1] = true;
+  EXPECT_EQ(chooseAtlas(scene), 1u);
+  EXPECT_EQ(scene.vertices[5].atlasUv[0], good.vertices[5].uv[0][0]);
+}

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bake/transport/paths.h"
+
+#include <gtest/gtest.h>
+
+#include "bake/kernels/texel_bake.h"
+#include "common/light/light_domain.h"
+#include "tests/support/scenes.h"
+
+using namespace boxlight;
+
+namespace {
+
+/// A unit quad facing +Y in one texel, with whatever else the scene has.
+struct OneTexel {
+  explicit OneTexel(const asset::Material& material) : scene(test::makeScene(material)) {
+    test::addQuad(scene, {0, 0, 0.5f}, {1, 0, 0}, {0, 0, -1});
+  }
+  PathOrigin origin(bool back = false) {
+    if (map.texels.empty()) map = makeTexels(scene, 1, 1);
+    return {map.footprint(map.texels[0]), back, vec3(0, back ? -1 : 1, 0)};
+  }
+  Scene scene;
+  TexelMap map;
+};
+
+Rgb meanThroughput(const std::vector<Deposit>& deposits, uint32_t paths) {
+  dvec3 sum(0);
+  for (const Deposit& d : deposits) sum += dvec3(d.throughput);
+  return Rgb(sum / double(paths));
+}
+
+}  // namespace
+
+TEST(Paths, AnOpenLambertTexelHasACosineKernelOfEnergyOne) {
+  OneTexel texel(test::lambert(Rgb(0.2f)));
+  const PathOrigin origin = texel.origin();
+  const Intersector world(texel.scene);
+  std::vector<Deposit> deposits;
+  const uint32_t traced =
+      PathTracer(world, kUnlimitedBounces).traceLambert(origin, {1, 0, 0}, 4096, deposits);
+  EXPECT_EQ(traced, 4096u);
+  EXPECT_EQ(meanThroughput(deposits, traced), Rgb(1));  // without its albedo
+  double cosine = 0;
+  for (const Deposit& d : deposits) cosine += double(uvToDirection(d.uv).y) / 4096;
+  EXPECT_NEAR(cosine, 2.0 / 3.0, 1e-3);
+}
+
+TEST(Paths, GlossyKernelsAreDividedByTheirAlbedo) {
+  for (float roughness : {0.1f, 0.5f, 1.0f}) {
+    OneTexel texel(test::metal(roughness, {0.9f, 0.5f, 0.2f}));
+    const PathOrigin origin = texel.origin();
+    const Intersector world(texel.scene);
+    for (float cosine : {0.05f, 0.4f, 0.95f}) {
+      std::vector<Deposit> deposits;
+      const vec3 wo(std::sqrt(1 - cosine * cosine), cosine, 0);
+      const uint32_t traced =
+          PathTracer(world, kUnlimitedBounces).traceGlossy(origin, wo, {1, 0, 0}, 4096, deposits);
+      const Rgb mean = meanThroughput(deposits, traced);
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(mean[c], 1, 1e-2) << "roughness " << roughness << ", cosine " << cosine;
+    }
+  }
+}
+
+TEST(Paths, AnInfiniteWhiteWallBouncesWhatItBlocks) {
+  OneTexel texel(test::lambert());
+  test::addQuad(texel.scene, {-1, 0, 4000}, {0, 0, -8000}, {0, 4000, 0}, vec2(2), vec2(3));
+  texel.map = makeTexels(texel.scene, 1, 1);
+  texel.map.texels[0].pieceCount = 2;  // the quad's own pieces
+  const Intersector world(texel.scene);
+  std::vector<Deposit> one, all;
+  const uint32_t traced = PathTracer(world, 1).traceLambert(texel.origin(), {1, 0, 0}, 16384, one);
+  EXPECT_NEAR(meanThroughput(one, traced).x, 0.5, 2e-3);
+  PathTracer(world, kUnlimitedBounces).traceLambert(texel.origin(), {1, 0, 0}, 16384, all);
+  // The wall's own kernel is a half-sphere of which half lies below the horizon of the floor: it escapes
+  // there.
+  EXPECT_NEAR(meanThroughput(all, traced).x, 1, 1e-2);
+}
+
+TEST(Paths, MaskedPointsAreNoPartOfTheTexel) {
+  asset::Material material = test::lambert();
+  material.flags = asset::kAlphaMask;
+  material.baseColor[3] = 0.1f;
+  OneTexel texel(material);
+  const PathOrigin origin = texel.origin();
+  const Intersector world(texel.scene);
+  std::vector<Deposit> deposits;
+  EXPECT_EQ(PathTracer(world, kUnlimitedBounces).traceLambert(origin, {1, 0, 0}, 64, deposits), 0u);
+  EXPECT_TRUE(deposits.empty());
+}
+
+TEST(Paths, BothSidesOfASheetSeeTheirOwnHalfOfTheWorld) {
+  OneTexel texel(test::lambert());
+  const PathOrigin front = texel.origin(false), back = texel.origin(true);
+  const Intersector world(texel.scene);
+  std::vector<Deposit> above, below;
+  const PathTracer tracer(world, kUnlimitedBounces);
+  tracer.traceLambert(front, {1, 0, 0}, 256, above);
+  tracer.traceLambert(back, {1, 0, 0}, 256, below);
+  for (const Deposit& d : above) EXPECT_LT(d.uv.y, 0.5f);
+  for (const Deposit& d : below) EXPECT_GT(d.uv.y, 0.5f);
+}
+
+TEST(TexelBake, StoresWhatTheMaterialAsksFor) {
+  const ViewSphere sphere(3);
+  for (bool glossy : {false, true}) {
+    OneTexel texel(glossy ? test::metal(0.3f) : test::lambert());
+    texel.map = makeTexels(texel.scene, 1, 1);
+    const Intersector world(texel.scene);
+    const auto plans = planRecords(texel.scene, texel.map);
+    ASSERT_EQ(plans.size(), 1u);
+    TexelBaker baker(world, texel.map, sphere, {.paths = 64, .boxes = 4});
+    const RecordKernels kernels = baker.bake(plans[0]);
+    EXPECT_EQ(kernels.lambert.size(), glossy ? 0u : 8u);
+    ASSERT_EQ(kernels.glossy.size(), glossy ? 92u : 0u);
+    size_t stored = 0;
+    for (const auto& view : kernels.glossy) {
+      EXPECT_TRUE(view.empty() || view.size() == 4u);
+      stored += !view.empty();
+      float energy = 0;
+      for (const PackedBox& box : view) energy += unpackBox(box).energy.x;
+      if (view.empty()) continue;
+      EXPECT_NEAR(energy, 1, 0.05);  // under a constant light the demodulated kernel returns 1
+    }
+    if (glossy) {
+      EXPECT_NEAR(double(stored), 63, 5);
+    }
+  }
+}
+
+TEST(TexelBake, DoubleSidedTexelsHaveTwoRecords) {
+  asset::Material material = test::lambert();
+  material.flags = asset::kDoubleSided;
+  OneTexel texel(material);
+  texel.map = makeTexels(texel.scene, 1, 1);
+  const auto plans = planRecords(texel.scene, texel.map);
+  ASSERT_EQ(plans.size(), 2u);
+  EXPECT_EQ(plans[0].record.normal[1], 1);
+  EXPECT_EQ(plans[1].record.normal[1], -1);
+  const auto atlas = indirection(texel.map, plans);
+  EXPECT_EQ(atlas[0].front, 0u);
+  EXPECT_EQ(atlas[0].back, 1u);
+}
