@@ -135,7 +135,7 @@ Image makeWhite() {
 
 /// x > 0 is a quarter turn to both sides of the centre column: the border runs between texels.
 Image makeHalf() {
-  Image image = makeImage(64, 32, 3);
+  Image image = makeImage(1024, 512, 3);
   for (uint32_t y = 0; y < image.height; ++y)
     for (uint32_t x = image.width / 4; x < image.width * 3 / 4; ++x)
       for (int k = 0; k < 3; ++k) image.at(x, y)[k] = 1;

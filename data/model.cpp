@@ -91,11 +91,14 @@ class GlbWriter {
     const int width = int(texture.width), height = int(texture.height);
     if (!stbi_write_png_to_func(append, &png, width, height, 4, texture.rgba.data(), width * 4))
       fail(ExitCode::runtime, "cannot encode a {}x{} texture as PNG", width, height);
-    root_["images"].push_back({{"bufferView", addView(png)}, {"mimeType", "image/png"}});
+    const Json image = {{"bufferView", addView(png)}, {"mimeType", "image/png"}};
+    root_["images"].push_back(image);
     const int filter = texture.nearest ? kNearest : kLinear;
-    root_["samplers"].push_back({{"magFilter", filter}, {"minFilter", filter}});
+    const Json sampler = {{"magFilter", filter}, {"minFilter", filter}};
+    root_["samplers"].push_back(sampler);
     const size_t index = root_["images"].size() - 1;
-    root_["textures"].push_back({{"source", index}, {"sampler", index}});
+    const Json reference = {{"source", index}, {"sampler", index}};
+    root_["textures"].push_back(reference);
   }
 
   size_t addMaterial(const Material& material) {
@@ -127,9 +130,11 @@ class GlbWriter {
     const Json primitive = {{"attributes", attributes},
                             {"indices", addIndices(all.indices)},
                             {"material", addMaterial(part.material)}};
-    root_["meshes"].push_back({{"name", part.name}, {"primitives", Json::array({primitive})}});
+    const Json mesh = {{"name", part.name}, {"primitives", Json::array({primitive})}};
+    root_["meshes"].push_back(mesh);
     const size_t index = root_["meshes"].size() - 1;
-    root_["nodes"].push_back({{"name", part.name}, {"mesh", index}});
+    const Json node = {{"name", part.name}, {"mesh", index}};
+    root_["nodes"].push_back(node);
     root_["scenes"][0]["nodes"].push_back(index);
   }
 

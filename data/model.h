@@ -34,8 +34,8 @@ struct Part {
   std::vector<Chart> charts;
 };
 
-/// `charts` of all parts are packed into one atlas by writeGlb's caller. With `textured`, TEXCOORD_0 is
-/// Chart::texcoords and the atlas is TEXCOORD_1; without, the atlas is TEXCOORD_0.
+/// Once packModel has run, all charts share one atlas. With `textured`, TEXCOORD_0 is Chart::texcoords and
+/// the atlas is TEXCOORD_1; without, the atlas is TEXCOORD_0.
 struct Model {
   std::vector<Part> parts;
   std::vector<Texture> textures;

@@ -29,6 +29,10 @@ Material metal(const Parameters& p) {
   return material;
 }
 
+Material lambertOrMetal(const Parameters& p) {
+  return p.at("metallic") == 0 ? lambert("grey", Rgb(float(p.at("albedo")))) : metal(p);
+}
+
 Chart unitSphere() { return sphereChart({0, 0, 0}, 1, {0, kPi}, 96, 48); }
 
 Model onePart(const char* name, Material material, std::vector<Chart> charts) {
@@ -62,9 +66,7 @@ Chart floorChart(float halfX, float halfZ, uint32_t segments = 1) {
   return rectangleChart({-halfX, 0, halfZ}, {2 * halfX, 0, 0}, {0, 0, -2 * halfZ}, segments);
 }
 
-Model makePlane(const Parameters& p) {
-  return onePart("plane", lambert("grey", Rgb(float(p.at("albedo")))), {floorChart(1, 1)});
-}
+Model makePlane(const Parameters& p) { return onePart("plane", lambertOrMetal(p), {floorChart(1, 1)}); }
 
 /// At x from the wall's foot, a wall of height h without end to both sides hides the fraction (1 - x /
 /// sqrt(x^2 + h^2)) / 2 of the cosine-weighted hemisphere: half of it for an endless one.
@@ -83,9 +85,7 @@ Model makePlaneWall(const Parameters& p) {
 
 Model makeSphereOnGround(const Parameters& p) {
   Model model = onePart("ground", lambert("warm", {0.7f, 0.6f, 0.45f}), {floorChart(3, 3, 4)});
-  Material material = metal(p);
-  if (p.at("metallic") == 0) material = lambert("grey", Rgb(float(p.at("albedo"))));
-  model.parts.push_back({"sphere", material, {sphereChart({0, 1, 0}, 1, {0, kPi}, 96, 48)}});
+  model.parts.push_back({"sphere", lambertOrMetal(p), {sphereChart({0, 1, 0}, 1, {0, kPi}, 96, 48)}});
   return model;
 }
 
@@ -150,7 +150,7 @@ const std::vector<SceneRecipe>& sceneRecipes() {
        makeDemoScene},
       {"sphere", "convex Lambert sphere", {{"albedo", 1}}, makeSphere},
       {"bowl", "open concave Lambert hemisphere, both sides seen", {{"albedo", 1}}, makeBowl},
-      {"plane", "2 m Lambert square facing +Y", {{"albedo", 1}}, makePlane},
+      {"plane", "2 m square facing +Y", {{"albedo", 1}, {"metallic", 0}, {"roughness", 0.5}}, makePlane},
       {"plane_wall",
        "strip of Lambert floor, x = .01 to 2.01, beside a black wall in x = 0, 4 km long",
        {{"albedo", 1}, {"height", 2000}},

@@ -81,7 +81,7 @@ void addCompareCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--diff", options->difference, "False-colour picture: white is 63 8-bit steps or more")
       ->option_text("FILE.png");
   command->add_option("--fail", options->limit, "Exit 7 if the RMSE is above this")
-      ->check(CLI::NonNegativeNumber)
+      ->check(inRange(0.0, 1e30))
       ->option_text("E");
   command->callback([options, &common] { compare(*options, common); });
 }

@@ -10,7 +10,6 @@ namespace boxlight {
 namespace {
 
 constexpr size_t kNoBox = ~size_t(0);
-constexpr float kNegligible = 1e-6f;  // of the first box's gain: below it there is only rounding
 
 }  // namespace
 
@@ -40,19 +39,12 @@ void BoxFitter::Scratch::insert(const GridBox& box) {
 }
 
 void BoxFitter::Scratch::insertBoxes() {
-  float negligible = 0.0f;
   updateResidual();
-  while (int(boxes.size()) < options.boxes) {
+  for (bool worthwhile = true; worthwhile && int(boxes.size()) < options.boxes;) {
     GridBox box;
-    const float gain = search.find(residual, box);
-    if (gain <= negligible) {
-      // Nothing stands out of the noise any more: one box around everything takes the rest.
-      insert(grid.bounds());
-      updateResidual();
-      break;
-    }
-    if (boxes.empty()) negligible = kNegligible * gain;
-    insert(box);
+    worthwhile = search.find(residual, box) > 0.0f;
+    // When nothing stands out of the noise any more, one box around everything takes the rest.
+    insert(worthwhile ? box : grid.bounds());
     updateResidual();
   }
 }
@@ -101,15 +93,17 @@ std::vector<Box> BoxFitter::Scratch::result(uint64_t pathCount) const {
     Box box = grid.toBox(boxes[i]);
     const Lanes w = weights.weight(i);
     box.energy = grid.solidAngle(boxes[i]) * Rgb(w[0], w[1], w[2]);
-    if (maxComponent(box.energy) > 0.0f) result.push_back(box);
+    result.push_back(box);
     sum += dvec3(box.energy);
   }
+  assert(!result.empty());
   const dvec3 mean = grid.total() / double(pathCount);
   for (int c = 0; c < 3; ++c) {
-    // A channel so faint beside the others that its weights underflow goes to one box.
+    // A channel too faint beside the others to have drawn a box of its own.
     if (!(sum[c] > 0.0)) result.front().energy[c] = float(sum[c] = 1.0);
     for (Box& box : result) box.energy[c] = float(double(box.energy[c]) * (mean[c] / sum[c]));
   }
+  std::erase_if(result, [](const Box& box) { return maxComponent(box.energy) <= 0.0f; });
   std::stable_sort(result.begin(), result.end(), [](const Box& a, const Box& b) {
     return a.energy.x + a.energy.y + a.energy.z > b.energy.x + b.energy.y + b.energy.z;
   });

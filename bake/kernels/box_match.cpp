@@ -17,15 +17,14 @@ float totalEnergy(const Box& box) { return box.energy.x + box.energy.y + box.ene
 /// What a match looks at. Boxes of a glossy lobe move with the mirror direction from view to view, those of
 /// occluders stay where they are: a centre is therefore compared in both ways and the better one counts.
 struct Trait {
-  vec3 centre{0.0f};  ///< direction of the box's centre
-  vec3 inMirror{
-      0.0f};  ///< the same in the frame (east, mirror direction, south) at the view's mirror direction
-  vec2 logSize{0.0f};  ///< log2 of width and height on the sphere
+  vec3 centre{0.0f};    ///< direction of the box's centre
+  vec3 inMirror{0.0f};  ///< the same in the light domain's frame at the view's mirror direction
+  vec2 logSize{0.0f};   ///< log2 of width and height on the sphere
   float energy = 0.0f;
   bool missing = true;
 };
 
-/// The columns of the frame are the light domain's own axes at `direction`, defined at the poles too.
+/// Columns: east, `direction` and what lies across both; defined at the poles too.
 glm::mat3 lightDomainFrame(vec3 direction) {
   const float phi = std::atan2(direction.z, direction.x);
   const vec3 east(-std::sin(phi), 0.0f, std::cos(phi));
@@ -45,12 +44,12 @@ Trait traitOf(const Box& box, const glm::mat3& mirrorFrame) {
 
 float squaredLength(vec3 v) { return glm::dot(v, v); }
 
-/// The energy that moves or changes on the way from one box to the other. The factors are flat optima,
+/// The energy that moves, changes or fades on the way from one box to the other. The factors are flat optima,
 /// measured by the error of interpolated kernels (GGX lobes of alpha .02 to .3 with occluders, soft and
 /// sun-lit).
 float matchCost(const Trait& a, const Trait& b) {
-  if (a.missing || b.missing) return 0.0f;
-  constexpr float kSizeFactor = 0.03f, kEnergyFactor = 0.1f;
+  constexpr float kSizeFactor = 0.03f, kEnergyFactor = 0.1f, kFadeFactor = 1.0f;
+  if (a.missing || b.missing) return kFadeFactor * (a.energy + b.energy);
   const float moved = std::min(squaredLength(a.centre - b.centre), squaredLength(a.inMirror - b.inMirror));
   const vec2 resized = a.logSize - b.logSize;
   return (a.energy + b.energy) * (moved + kSizeFactor * glm::dot(resized, resized)) +
@@ -72,18 +71,20 @@ class SlotMatcher {
  private:
   using Candidate = std::pair<float, uint32_t>;  // how frontal, view
 
-  bool isStored(uint32_t view) const { return !kernels_[view].empty(); }
+  bool isStored(uint32_t view) const { return !traits_[view].empty(); }
 
   void describe() {
     traits_.resize(kernels_.size());
     matched_.resize(kernels_.size());
     for (uint32_t view = 0; view < kernels_.size(); ++view) {
-      if (!isStored(view)) continue;
-      assert(int(kernels_[view].size()) <= slots_);
+      std::vector<Box>& kernel = kernels_[view];
+      if (kernel.empty()) continue;
+      std::erase_if(kernel, [](const Box& box) { return totalEnergy(box) <= 0.0f; });
+      assert(int(kernel.size()) <= slots_);
       const vec3 eye = raiseAboveHorizon(sphere_.directions()[view], normal_);
       const glm::mat3 frame = lightDomainFrame(2.0f * glm::dot(normal_, eye) * normal_ - eye);
-      for (const Box& box : kernels_[view]) traits_[view].push_back(traitOf(box, frame));
-      kernels_[view].resize(slots_);
+      for (const Box& box : kernel) traits_[view].push_back(traitOf(box, frame));
+      kernel.resize(slots_);
       traits_[view].resize(slots_);
     }
   }

@@ -2,13 +2,19 @@
 #include "bake/kernels/box_search.h"
 
 #include <cmath>
+#include <limits>
 
 namespace boxlight {
 namespace {
 
-/// |max(integral, 0)|^2 over the channels, plus the last lane: minus the noise, which is never above 1.
+/// (3e-4)^2 of all energy: what the rounding of a summed-area table can feign.
+constexpr float kRounding = 1e-7f;
+
+/// |max(integral, 0)|^2 over the channels, minus the noise in the last lane.
 inline float significance(Lanes integral) {
-  return sumLanes(integral * maxLanes(integral, Lanes{0.0f, 0.0f, 0.0f, 1.0f}));
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const Lanes positive = maxLanes(integral, splat(0.0f));
+  return sumLanes(positive * minLanes(positive, Lanes{kInfinity, kInfinity, kInfinity, -1.0f})) - kRounding;
 }
 
 int nextSize(int size, int limit) { return size == limit ? limit + 1 : std::min(2 * size, limit); }

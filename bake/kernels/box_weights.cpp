@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdlib>
 #include "bake/kernels/box_weights.h"
 
 namespace boxlight {
@@ -23,7 +22,6 @@ constexpr float kTolerance = 1e-4f;  // of a channel's energy
 }  // namespace
 
 void BoxWeights::reset() {
-  solidAngles_.clear();
   weights_.clear();
   integrals_.clear();
 }
@@ -31,44 +29,31 @@ void BoxWeights::reset() {
 void BoxWeights::place(size_t index, const DepositGrid& grid, const std::vector<GridBox>& boxes,
                        Lanes integral) {
   if (index == size()) {
-    solidAngles_.emplace_back();
     weights_.push_back(splat(0.0f));
     integrals_.emplace_back();
   }
   integral[3] = 0.0f;
   integrals_[index] = integral;
-  solidAngles_[index] = grid.solidAngle(boxes[index]);
   for (size_t j = 0; j < size(); ++j) gram(index, j) = gram(j, index) = overlap(grid, boxes[index], boxes[j]);
 }
 
 void BoxWeights::solve(Lanes total) {
-  updateGradient(total);
+  gradient_ = integrals_;
+  for (size_t j = 0; j < size(); ++j)
+    for (size_t i = 0; i < size(); ++i) gradient_[i] -= gram(i, j) * weights_[j];
   for (int i = 0; i < kMaxSweeps; ++i) {
     const Lanes excess = sweep() - kTolerance * total;
     if (std::max(excess[0], std::max(excess[1], excess[2])) <= 0.0f) break;
   }
 }
 
-void BoxWeights::updateGradient(Lanes total) {
-  gradient_ = integrals_;
-  missing_ = total;
-  for (size_t j = 0; j < size(); ++j) {
-    missing_ -= solidAngles_[j] * weights_[j];
-    for (size_t i = 0; i < size(); ++i) gradient_[i] -= gram(i, j) * weights_[j];
-  }
-}
-
 /// Moves each weight to its optimum, given the others. Returns the largest change of a box's energy.
 Lanes BoxWeights::sweep() {
-  static const float kWholeness = (getenv("LAMBDA")?float(atof(getenv("LAMBDA"))):1.0f) / (4.0f * kPi);
   Lanes largest = splat(0.0f);
   for (size_t i = 0; i < size(); ++i) {
-    const float omega = solidAngles_[i];
-    const float curvature = gram(i, i) + kWholeness * omega * omega;
-    const Lanes optimum = (gradient_[i] + kWholeness * omega * missing_) / curvature;
-    const Lanes step = maxLanes(optimum, -weights_[i]);
+    const float omega = gram(i, i);
+    const Lanes step = maxLanes(gradient_[i] / omega, -weights_[i]);
     weights_[i] += step;
-    missing_ -= omega * step;
     for (size_t j = 0; j < size(); ++j) gradient_[j] -= gram(i, j) * step;
     largest = maxLanes(largest, omega * maxLanes(step, -step));
   }

@@ -8,9 +8,9 @@
 namespace boxlight {
 
 /// Weights of overlapping boxes by non-negative least squares, three channels at once. Minimises over w >= 0
-///   integral of R^2 + (integral of R)^2 / 4 pi,   R = T - sum_j w_j K_j.
-/// The second term holds the energy together. The normal equations need only the boxes' overlaps (the Gram
-/// matrix), their solid angles and the integrals of T over them.
+/// the integral of R^2, R = T - sum_j w_j K_j. The normal equations need only the boxes' overlaps (the Gram
+/// matrix; its diagonal holds their solid angles) and the integrals of T over them. A term that holds the
+/// total energy makes no measurable difference: it is restored exactly in the end (box_fit.cpp).
 class BoxWeights {
  public:
   void reset();
@@ -24,16 +24,13 @@ class BoxWeights {
   Lanes weight(size_t index) const { return weights_[index]; }  ///< per steradian; last lane 0
 
  private:
-  void updateGradient(Lanes total);
   Lanes sweep();
   float& gram(size_t i, size_t j) { return gram_[i * kMaxBoxes + j]; }
 
   static constexpr size_t kMaxBoxes = 64;
   std::vector<float> gram_ = std::vector<float>(kMaxBoxes * kMaxBoxes);
-  std::vector<float> solidAngles_;
   std::vector<Lanes> weights_, integrals_;
   std::vector<Lanes> gradient_;  // integral of R over each box
-  Lanes missing_ = splat(0.0f);  // integral of R
 };
 
 }  // namespace boxlight

@@ -82,7 +82,7 @@ void DepositGrid::bin(std::span<const Deposit> deposits, float noise) {
   for (const Deposit& deposit : deposits) {
     const vec3 t(dvec3(deposit.throughput) * scale_);
     const int x = columnOfRaster_[rasterColumn(deposit.uv)], y = rowOfRaster_[rasterRow(deposit.uv)];
-    cells_[size_t(y) * columns() + x] += lanes(t, -noise * glm::dot(t, t));
+    cells_[size_t(y) * columns() + x] += lanes(t, noise * glm::dot(t, t));
   }
 }
 

@@ -28,7 +28,7 @@ class DepositGrid {
  public:
   explicit DepositGrid(int size);  ///< at most size x size cells
 
-  /// False if the deposits carry no energy. Each cell's last lane is -noise * sum |throughput|^2.
+  /// False if the deposits carry no energy. Each cell's last lane is noise * sum |throughput|^2.
   bool build(std::span<const Deposit> deposits, float noise);
 
   int columns() const { return int(columnLines_.size()) / 2; }

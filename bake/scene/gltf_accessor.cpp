@@ -11,6 +11,8 @@
 namespace boxlight {
 namespace {
 
+// Sums and interpolations of what is allowed stay finite.
+constexpr float kMaxValue = 1e30f;
 constexpr std::byte kZeros[16] = {};
 // An accessor without a bufferView costs nothing in the file, so nothing else bounds what it asks for.
 constexpr uint64_t kMaxZeroElements = uint64_t(1) << 24;
@@ -34,7 +36,7 @@ uint32_t loadInteger(int componentType, const std::byte* bytes) {
   }
 }
 
-// glTF 2.0, section 3.6.2.2: normalised integers, the signed ones without a second -1.
+// glTF maps normalised integers to [0,1] or [-1,1]; the lowest signed one is -1 like its neighbour.
 float loadFloat(int componentType, bool normalized, const std::byte* bytes) {
   const auto scaled = [normalized](auto integer) {
     const float value = float(integer);
@@ -142,7 +144,7 @@ vec4 AccessorReader::floats(uint32_t i) const {
   vec4 value(0.0f);
   for (int c = 0; c < components_; ++c) {
     value[c] = loadFloat(componentType_, normalized_, bytes + uint64_t(c) * size);
-    if (!std::isfinite(value[c])) invalid("element {} is not finite", i);
+    if (!(std::abs(value[c]) <= kMaxValue)) invalid("element {} is not finite, or beyond 1e30", i);
   }
   return value;
 }

@@ -26,7 +26,8 @@ class AccessorReader {
   int componentType() const { return componentType_; }  ///< glTF's code, 5120 to 5126
   bool normalized() const { return normalized_; }
 
-  /// Element i as floats; missing components are 0. Error: invalidInput if one is not finite.
+  /// Element i as floats; missing components are 0. Error: invalidInput if one is not finite or beyond
+  /// +-1e30.
   vec4 floats(uint32_t i) const;
   /// Element i of an accessor of unsigned integers.
   uint32_t integer(uint32_t i) const;

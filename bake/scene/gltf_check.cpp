@@ -30,6 +30,7 @@ struct Numbers {
 struct Boolean {};
 struct Text {};
 struct Object {};
+struct Array {};
 struct Code {
   std::vector<int> allowed;
 };
@@ -37,7 +38,8 @@ struct Name {
   std::vector<std::string_view> allowed;
 };
 struct TextureInfo {};
-using Kind = std::variant<Index, Count, Number, Numbers, Boolean, Text, Object, Code, Name, TextureInfo>;
+using Kind =
+    std::variant<Index, Count, Number, Numbers, Boolean, Text, Object, Array, Code, Name, TextureInfo>;
 
 // In a pattern, [] is every element of an array and * every member of an object.
 struct Rule {
@@ -59,6 +61,7 @@ const std::vector<Rule>& rules() {
       {"nodes[].translation", Numbers{3}},
       {"nodes[].rotation", Numbers{4}},
       {"nodes[].scale", Numbers{3}},
+      {"meshes[].primitives", Array{}, kRequired},
       {"meshes[].primitives[].attributes", Object{}, kRequired},
       {"meshes[].primitives[].attributes.*", Index{"accessors"}},
       {"meshes[].primitives[].indices", Index{"accessors"}},
@@ -81,7 +84,7 @@ const std::vector<Rule>& rules() {
       {"bufferViews[].buffer", Index{"buffers"}, kRequired},
       {"bufferViews[].byteOffset", Count{}},
       {"bufferViews[].byteLength", Count{1}, kRequired},
-      {"bufferViews[].byteStride", Count{}},
+      {"bufferViews[].byteStride", Count{0, 252}},
       {"buffers[].byteLength", Count{1}, kRequired},
       {"buffers[].uri", Text{}},
       {"images[].bufferView", Index{"bufferViews"}},
@@ -186,6 +189,9 @@ class Checker {
   }
   void check(const Json& value, const Object&) const {
     if (!value.is_object()) invalid("must be an object");
+  }
+  void check(const Json& value, const Array&) const {
+    if (!value.is_array()) invalid("must be an array");
   }
   void check(const Json& value, const Code& kind) const {
     const auto is = [&](int code) { return value.is_number_integer() && value == code; };

@@ -166,7 +166,7 @@ bool keepEncoded(tinygltf::Image* image, int, std::string* error, std::string*, 
 void lendIndexViews(const fs::path& path, Json& json) {
   if (!json.contains("meshes")) return;
   for (const Json& mesh : json["meshes"]) {
-    for (const Json& primitive : mesh.value("primitives", Json::array())) {
+    for (const Json& primitive : mesh["primitives"]) {
       if (!primitive.contains("indices")) continue;
       const size_t index = primitive["indices"];
       Json& accessor = json["accessors"][index];
@@ -207,7 +207,8 @@ tinygltf::Model parseModel(const GltfContainer& file, const fs::path& path) {
   } catch (const std::exception& e) {
     error += e.what();
   }
-  std::ranges::replace(error += warning, '\n', ' ');
+  error += warning;
+  std::ranges::replace(error, '\n', ' ');
   if (!parsed || !error.empty())
     failAt(ExitCode::invalidInput, path, "JSON", "{}; export the file again", error);
   restoreIndexViews(file.json, model);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <ranges>
+#include <set>
 #include <span>
 
 #include "bake/scene/gltf_error.h"
@@ -59,7 +61,7 @@ class SceneBuilder {
     const tinygltf::Primitive& primitive = file_.model.meshes[size_t(instance.mesh)].primitives[index];
     const std::string place = primitivePlace(instance.mesh, index);
     if (primitive.mode < TINYGLTF_MODE_TRIANGLES || !primitive.attributes.contains("POSITION")) {
-      if (std::ranges::find(notSurfaces_, place) == notSurfaces_.end()) notSurfaces_.push_back(place);
+      notSurfaces_.emplace(instance.mesh, index);
       return;
     }
     Mesh mesh = readPrimitive(file_, instance.mesh, index);
@@ -109,7 +111,13 @@ class SceneBuilder {
   void report() const {
     const std::string path = file_.path.string();
     if (!notSurfaces_.empty()) {
-      log().warn("{}: {}: points, lines or without POSITION; skipped", path, fmt::join(notSurfaces_, ", "));
+      constexpr size_t kNamed = 8;
+      std::string names;
+      for (const auto& [mesh, primitive] : notSurfaces_ | std::views::take(kNamed)) {
+        names += (names.empty() ? "" : ", ") + primitivePlace(mesh, primitive);
+      }
+      if (notSurfaces_.size() > kNamed) names += fmt::format(" and {} more", notSurfaces_.size() - kNamed);
+      log().warn("{}: {}: points, lines or without POSITION; skipped", path, names);
     }
     if (droppedTriangles_ > 0) log().debug("{}: {} triangles without area dropped", path, droppedTriangles_);
     if (replacedNormals_ > 0)
@@ -137,7 +145,7 @@ class SceneBuilder {
   const GltfDocument& file_;
   Scene scene_;
   GltfMaterials materials_;
-  std::vector<std::string> notSurfaces_;
+  std::set<std::pair<int, size_t>> notSurfaces_;  // mesh, primitive
   size_t droppedTriangles_ = 0, replacedNormals_ = 0;
 };
 

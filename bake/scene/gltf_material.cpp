@@ -57,6 +57,9 @@ asset::Material GltfMaterials::convert(int index) {
   if (std::ranges::any_of(source.emissiveFactor, [](double e) { return e != 0.0; })) {
     log().warn("{}: {}.emissiveFactor: emission is ignored", file_.path.string(), place);
   }
+  if (source.occlusionTexture.index >= 0) {
+    log().debug("{}: {}.occlusionTexture: not needed, occlusion is traced", file_.path.string(), place);
+  }
   asset::Material material;
   for (size_t i = 0; i < 4; ++i) {
     material.baseColor[i] = inRange(pbr.baseColorFactor[i], 1.0, pbrPlace + ".baseColorFactor");
@@ -74,34 +77,28 @@ asset::Material GltfMaterials::convert(int index) {
                 pbrPlace + ".metallicRoughnessTexture");
   material.normalTexture =
       reference(source.normalTexture.index, source.normalTexture.texCoord, kLinear, place + ".normalTexture");
-  convertSpecular(source, place, material);
+  convertSpecular(index, place, material);
   return material;
 }
 
-// KHR_materials_specular, its types already checked. A specularFactor of 0 on a dielectric leaves pure
+// KHR_materials_specular, checked by checkDocument. A specularFactor of 0 on a dielectric leaves pure
 // Lambert.
-void GltfMaterials::convertSpecular(const tinygltf::Material& source, const std::string& place,
-                                    asset::Material& material) {
-  const auto found = source.extensions.find("KHR_materials_specular");
-  if (found == source.extensions.end()) return;
-  const tinygltf::Value& extension = found->second;
+void GltfMaterials::convertSpecular(int index, const std::string& place, asset::Material& material) {
+  const nlohmann::json& source = file_.json["materials"][size_t(index)];
+  const nlohmann::json::json_pointer pointer("/extensions/KHR_materials_specular");
+  if (!source.contains(pointer)) return;
+  const nlohmann::json& extension = source[pointer];
   const std::string here = place + ".extensions.KHR_materials_specular.";
-  if (extension.Has("specularFactor")) {
-    material.specular =
-        inRange(extension.Get("specularFactor").GetNumberAsDouble(), 1.0, here + "specularFactor");
-  }
-  if (extension.Has("specularColorFactor")) {
-    const tinygltf::Value& color = extension.Get("specularColorFactor");
-    for (int i = 0; i < 3; ++i) {
+  material.specular = inRange(extension.value("specularFactor", 1.0), 1.0, here + "specularFactor");
+  if (extension.contains("specularColorFactor")) {
+    for (size_t i = 0; i < 3; ++i) {
       material.specularColor[i] =
-          inRange(color.Get(i).GetNumberAsDouble(), kNoLimit, here + "specularColorFactor");
+          inRange(extension["specularColorFactor"][i], kNoLimit, here + "specularColorFactor");
     }
   }
   const auto texture = [&](const char* key, bool srgb) {
-    if (!extension.Has(key)) return asset::TextureRef();
-    const tinygltf::Value& info = extension.Get(key);
-    return reference(info.Get("index").GetNumberAsInt(), info.Get("texCoord").GetNumberAsInt(), srgb,
-                     here + key);
+    if (!extension.contains(key)) return asset::TextureRef();
+    return reference(extension[key]["index"], extension[key].value("texCoord", 0), srgb, here + key);
   };
   material.specularTexture = texture("specularTexture", kLinear);
   material.specularColorTexture = texture("specularColorTexture", kSrgb);

@@ -26,7 +26,7 @@ class GltfMaterials {
   asset::Material convert(int material);
   asset::TextureRef reference(int texture, int texcoord, bool srgb, const std::string& place);
   float inRange(double value, double high, const std::string& place) const;
-  void convertSpecular(const tinygltf::Material& source, const std::string& place, asset::Material& material);
+  void convertSpecular(int material, const std::string& place, asset::Material& converted);
 
   const GltfDocument& file_;
   Scene& scene_;

@@ -11,13 +11,14 @@ struct SurfacePoint {
   vec2 barycentric{0.0f};
 };
 
-/// glTF's material at one point, textures and vertex colours applied, in the terms of the specification's appendix B.
+/// glTF's material at one point, textures and vertex colours applied, in the terms of the specification's
+/// appendix B.
 struct MaterialSample {
-  Rgb baseColor{1.0f};     ///< linear
-  float alpha = 1;         ///< coverage, for MASK
+  Rgb baseColor{1.0f};  ///< linear
+  float alpha = 1;      ///< coverage, for MASK
   float metallic = 0;
-  float roughness = 1;     ///< perceptual; GGX alpha is its square
-  float specular = 1;      ///< KHR_materials_specular: F90 of the dielectric
+  float roughness = 1;  ///< perceptual; GGX alpha is its square
+  float specular = 1;   ///< KHR_materials_specular: F90 of the dielectric
   Rgb specularColor{1.0f};
   vec3 tangentNormal{0, 0, 1};  ///< from the normal map, unit, in the tangent frame
 };

@@ -10,17 +10,19 @@
 
 namespace boxlight {
 
-/// A glTF scene flattened to world space, in the records that the asset stores: what is baked is what is shipped.
+/// A glTF scene flattened to world space, in the records that the asset stores: what is baked is what is
+/// shipped.
 struct Scene {
   std::filesystem::path path;
-  std::vector<asset::Vertex> vertices;      ///< world space, metres; atlasUv is set by chooseAtlas (atlas.h)
+  std::vector<asset::Vertex> vertices;  ///< world space, metres; atlasUv is set by chooseAtlas (atlas.h)
   std::vector<asset::Triangle> triangles;
-  std::vector<asset::Material> materials;   ///< at least one: glTF's default material where a primitive has none
+  std::vector<asset::Material>
+      materials;  ///< at least one: glTF's default material where a primitive has none
   std::vector<asset::Texture> textures;
-  std::vector<uint32_t> texels;             ///< RGBA8 of all textures, R in the low byte
-  bool hasTexcoord[2] = {false, false};     ///< does every primitive have TEXCOORD_0 / _1?
+  std::vector<uint32_t> texels;          ///< RGBA8 of all textures, R in the low byte
+  bool hasTexcoord[2] = {false, false};  ///< does every primitive have TEXCOORD_0 / _1?
   vec3 boundsMin{0.0f}, boundsMax{0.0f};
-  uint64_t hash = 0;                        ///< xxh64 over everything above that a bake depends on
+  uint64_t hash = 0;  ///< xxh64 over everything above that a bake depends on
 };
 
 }  // namespace boxlight

@@ -31,6 +31,16 @@ void clip(Polygon& polygon, Polygon& scratch, int axis, float bound, float sign)
 
 float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
+constexpr float kSliver = 1e-5f;
+
+/// Area in texels of a convex polygon.
+float atlasArea(std::span<const Corner> polygon) {
+  float doubled = 0;
+  for (size_t i = 2; i < polygon.size(); ++i)
+    doubled += std::abs(cross2(polygon[i - 1].atlas - polygon[0].atlas, polygon[i].atlas - polygon[0].atlas));
+  return 0.5f * doubled;
+}
+
 struct Piece {
   uint32_t texel;
   FootprintPiece part;  // area not yet a running sum
@@ -66,6 +76,8 @@ class Cutter {
     clip(polygon_, scratch_, 0, float(x + 1), -1);
     clip(polygon_, scratch_, 1, float(y), 1);
     clip(polygon_, scratch_, 1, float(y + 1), -1);
+    // What rounding leaves of a triangle that only touches the texel's side is no surface of the texel.
+    if (atlasArea(polygon_) < kSliver * std::min(1.0f, atlasArea(corners))) return;
     for (size_t i = 2; i < polygon_.size(); ++i) {
       const vec2 a = polygon_[0].barycentric, b = polygon_[i - 1].barycentric, c = polygon_[i].barycentric;
       // Barycentric coordinates are affine: areas on the triangle are its area times twice theirs.

@@ -121,7 +121,7 @@ bool ChunkFile::readTable(const Reporter& report) {
     return false;
   }
   chunks_.resize(count);
-  std::memcpy(chunks_.data(), table.data(), table.size());
+  std::copy(table.begin(), table.end(), std::as_writable_bytes(std::span(chunks_)).begin());
   return true;
 }
 

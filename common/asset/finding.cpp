@@ -25,7 +25,7 @@ constexpr FindingKind kKinds[] = {
     {headHash, error, "the hash of header and chunk table differs", kCopyAgain},
     {scheme, error, "an unknown transport scheme", kUpdate, ExitCode::unsupported},
     {newerMinor, note, "a newer minor version", "nothing to do: what this version does not know is optional"},
-    {chunkRange, error, "a chunk lies outside the file, on its head, or unaligned", kBakeAgain},
+    {chunkRange, error, "a chunk lies outside the file, on its head, or unaligned", kCopyAgain},
     {chunkOverlap, error, "two chunks overlap", kBakeAgain},
     {chunkDuplicate, error, "a chunk is there twice", kBakeAgain},
     {chunkMissing, error, "a required chunk is missing", kBakeAgain},

@@ -89,6 +89,17 @@ CLI::Option* addOnOff(CLI::App& command, const std::string& name, bool& value, c
       ->option_text("on|off");
 }
 
+CLI::Validator inRange(double low, double high) {
+  const std::string range = fmt::format("{} to {}", low, high);
+  auto check = [=](const std::string& text) {
+    double value = 0;
+    const bool isNumber = CLI::detail::lexical_cast(text, value);
+    return isNumber && value >= low && value <= high ? std::string()
+                                                     : "expected " + range + ", got '" + text + "'";
+  };
+  return CLI::Validator(check, range);
+}
+
 int resolveThreads(int threads) {
   return threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()));
 }

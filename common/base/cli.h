@@ -30,6 +30,9 @@ CLI::Option* addSize(CLI::App& command, const std::string& name, uvec2& value, c
 CLI::Option* addOnOff(CLI::App& command, const std::string& name, bool& value,
                       const std::string& help);  ///< "on" or "off"
 
+/// A check for a number in [low, high]. Unlike CLI::Range it refuses NaN.
+CLI::Validator inRange(double low, double high);
+
 /// The number of threads that `--threads` means: all of them for 0.
 int resolveThreads(int threads);
 

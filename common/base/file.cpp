@@ -29,7 +29,8 @@ void syncFolder(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<std::byte> readFile(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path)) fail(ExitCode::io, "{}: cannot read: it is a folder", path.string());
+  if (std::filesystem::is_directory(path))
+    fail(ExitCode::io, "{}: cannot read: it is a folder", path.string());
   errno = 0;
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) failIo("open", path);
@@ -43,7 +44,8 @@ std::vector<std::byte> readFile(const std::filesystem::path& path) {
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
   // rename would find out too, but only when the work is done.
-  if (std::filesystem::is_directory(path_)) fail(ExitCode::io, "{}: cannot write: it is a folder", path_.string());
+  if (std::filesystem::is_directory(path_))
+    fail(ExitCode::io, "{}: cannot write: it is a folder", path_.string());
   temporary_ = path_;
   temporary_.replace_filename(
       fmt::format(".{}.{}.tmp{}", path_.stem().string(), ::getpid(), path_.extension().string()));

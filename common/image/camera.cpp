@@ -32,7 +32,7 @@ void addCameraOptions(CLI::App& command, CameraOptions& options) {
   addVec3(command, "--target", options.target, "Point the camera looks at (default: the object's centre)");
   addVec3(command, "--up", options.up, "Up direction (default: 0,1,0)");
   command.add_option("--fov", options.fovDegrees, "Vertical field of view in degrees")
-      ->check(CLI::Range(0.1, 170.0))
+      ->check(inRange(0.1, 170.0))
       ->capture_default_str();
   addSize(command, "--size", options.size, "Size of the picture in pixels (default: 512x512)");
 }

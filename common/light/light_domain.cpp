@@ -27,7 +27,8 @@ double rectangleSolidAngle(double du, double v0, double v1) {
 
 float environmentOffset(float degrees) {
   const double turns = double(degrees) / 360.0;
-  return float(turns - std::floor(turns));
+  const float offset = float(turns - std::floor(turns));
+  return offset < 1.0f ? offset : 0.0f;  // the rounding to float may reach 1
 }
 
 }  // namespace boxlight

@@ -17,7 +17,7 @@ double interpolatedStart(const std::array<Box, 3>& boxes, const std::array<doubl
   double reference = 0.0, turned = 0.0, total = 0.0;
   bool hasReference = false;
   for (int k = 0; k < 3; ++k) {
-    if (!hasEnergy(boxes[k]) || boxes[k].du >= 1.0f) continue;
+    if (!(share[k] > 0.0) || boxes[k].du >= 1.0f) continue;
     const double centre = double(boxes[k].u0) + 0.5 * double(boxes[k].du);
     if (!hasReference) reference = centre;
     hasReference = true;

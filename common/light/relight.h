@@ -25,15 +25,17 @@ struct InterpolatedBox {
   dvec3 energy{0.0};  ///< w * Omega(rectangle)
 };
 
-/// Box j of a texel for a view between three: `weight` are the view's barycentric weights and sum to 1.
-///   g_k  = weight_k where box k has energy, else 0: an empty box has no place. All g zero: the result is
-///   empty. G    = sum g_k du   = sum g_k du_k / G,   v0 = sum g_k v0_k / G,   v1 = sum g_k (v0_k + dv_k) / G
-///   c    = mean by g_k of the centres u0_k + du_k / 2 of the boxes with du_k < 1 (a full ring has no
-///   centre), each taken
-///          the shortest way round from the first of them, r: c = r + sum g_k s_k / sum g_k, s_k = (c_k - r)
-///          - floor(c_k - r + 1/2)
-///   u0   = fract(c - du / 2); 0 if all are full rings
-///   energy: e = sum weight_k e_k.   weight: e = Omega(result) * sum weight_k e_k / Omega_k.
+/// Box j of a texel for a view between three; `weight`, the view's barycentric weights, sums to 1.
+///
+///   g_k = weight_k where box k has energy, else 0: an empty box has no place.   G = sum g_k; if 0, all is 0.
+///   du = sum g_k du_k / G   v0 = sum g_k v0_k / G   v1 = sum g_k (v0_k + dv_k) / G
+///   c_k = u0_k + du_k / 2,  h_k = g_k where du_k < 1, else 0: a full ring has no centre.
+///   c = r + sum h_k s_k / sum h_k,  r the first c_k with h_k > 0,
+///     s_k = c_k - r - floor(c_k - r + 1/2): the shortest way round.
+///   u0 = fract(c - du / 2), or 0 if all h are 0.
+///   energy = sum weight_k energy_k for Interpolation::energy,
+///            Omega(du, v0, v1) sum weight_k energy_k / Omega_k for Interpolation::weight.
+///
 /// Convexity keeps du in (0,1] and 0 <= v0 < v1 <= 1, whatever touches a pole.
 InterpolatedBox interpolateBoxes(const std::array<Box, 3>& boxes, vec3 weight, Interpolation interpolation);
 

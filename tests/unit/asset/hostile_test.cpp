@@ -55,6 +55,10 @@ const std::vector<Case> kHeadCases = {
     {"scheme", scheme, [](Surgeon& s) { s.header.scheme = Scheme(7); }},
     {"hugeChunkCount", chunkTable, [](Surgeon& s) { s.seal = false, s.header.chunkCount = 0xFFFFFFFFu; }},
     {"tooManyChunks", chunkTable, [](Surgeon& s) { s.seal = false, s.header.chunkCount = kMaxChunks + 1; }},
+    {"oneChunkTooMany", chunkTable,
+     [](Surgeon& s) {
+       while (s.table.size() <= kMaxChunks) s.addChunk(fourCc("vism"), {});
+     }},
     {"noChunks", chunkMissing, [](Surgeon& s) { s.table.clear(); }},
     {"offsetNearTop", chunkRange, inEntry(chunk::kVertices, [](ChunkEntry& e) { e.offset = ~uint64_t(15); })},
     {"sizeNearTop", chunkRange,
@@ -82,6 +86,10 @@ const std::vector<Case> kHeadCases = {
     {"bombNearTop", chunkSize,
      inEntry(chunk::kInfo, [](ChunkEntry& e) { e.codec = Codec::zstd, e.rawSize = ~uint64_t(0); })},
     {"noFrame", chunkFrame, inEntry(chunk::kTexels, [](ChunkEntry& e) { e.codec = Codec::zstd; })},
+    {"frameThenSkippableFrame", chunkFrame,
+     [](Surgeon& s) {
+       s.setFrame(chunk::kInfo, s.chunk(chunk::kInfo), text(std::string("\x50\x2A\x4D\x18\0\0\0\0", 8)));
+     }},
     {"frameOfAnotherSize", chunkFrame,
      inEntry(chunk::kInfo, [](ChunkEntry& e) { e.rawSize += sizeof(Info); })},
     {"halfAnEntry", chunkSize, [](Surgeon& s) { s.setChunk(chunk::kVertices, Bytes(81)); }},

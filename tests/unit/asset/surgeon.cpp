@@ -14,7 +14,7 @@ namespace boxlight::asset {
 namespace {
 
 // Room for more chunks in the table than a valid file has.
-constexpr uint64_t kHeadRoom = 4096;
+constexpr uint64_t kHeadRoom = 16384;
 
 template <class T>
 std::span<const std::byte> bytesOf(const std::vector<T>& values) {
@@ -58,6 +58,15 @@ void Surgeon::setChunk(uint32_t type, const Bytes& raw) {
   entry(type) = {type, codec, offset, raw.size(), raw.size(), type == chunk::kPages ? 0 : xxh64(raw)};
 }
 
+void Surgeon::setFrame(uint32_t type, const Bytes& raw, const Bytes& trailer) {
+  FrameCompressor compressor;
+  const auto frame = compressor.compress(raw);
+  Bytes stored(frame.begin(), frame.end());
+  stored.insert(stored.end(), trailer.begin(), trailer.end());
+  const uint64_t offset = append(stored);
+  entry(type) = {type, Codec::zstd, offset, stored.size(), raw.size(), xxh64(stored)};
+}
+
 void Surgeon::addChunk(uint32_t type, const Bytes& raw) {
   const uint64_t offset = append(raw);
   table.push_back({type, Codec::none, offset, raw.size(), raw.size(), xxh64(raw)});
@@ -94,7 +103,7 @@ void Surgeon::write(const std::filesystem::path& path) const {
   }
   Bytes file(bodyStart_);
   std::memcpy(file.data(), &sealed, sizeof sealed);
-  std::memcpy(&file[sizeof sealed], table.data(), table.size() * sizeof(ChunkEntry));
+  std::copy(bytesOf(table).begin(), bytesOf(table).end(), file.begin() + sizeof sealed);
   file.insert(file.end(), body_.begin(), body_.end());
   AtomicFile out(path);
   out.write(file);

@@ -25,6 +25,8 @@ class Surgeon {
   ChunkEntry& entry(uint32_t type);
   Bytes chunk(uint32_t type) const;  ///< decoded
   void setChunk(uint32_t type, const Bytes& raw);
+  /// The chunk as one zstd frame, with `trailer` behind it.
+  void setFrame(uint32_t type, const Bytes& raw, const Bytes& trailer);
   void addChunk(uint32_t type, const Bytes& raw);
   void removeChunk(uint32_t type);
 

@@ -6,20 +6,13 @@
 #include <fstream>
 
 #include "common/base/error.h"
+#include "tests/unit/temporary_folder.h"
 
 namespace boxlight {
 namespace {
 
-class FileTest : public testing::Test {
+class FileTest : public FolderTest {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("boxlight_") + testing::UnitTest::GetInstance()->current_test_info()->name());
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
   size_t fileCount() const {
     return size_t(
         std::distance(std::filesystem::directory_iterator(folder_), std::filesystem::directory_iterator()));
@@ -29,8 +22,6 @@ class FileTest : public testing::Test {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
   }
   static std::span<const std::byte> bytesOf(std::string_view s) { return std::as_bytes(std::span(s)); }
-
-  std::filesystem::path folder_;
 };
 
 template <class Action>

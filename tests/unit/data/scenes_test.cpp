@@ -7,6 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "bake/scene/atlas.h"
+#include "bake/scene/gltf_load.h"
 #include "common/base/error.h"
 #include "common/base/file.h"
 
@@ -102,6 +104,21 @@ TEST_P(EveryScene, NormalsFaceAsTheTriangles) {
       for (int k = 0; k < 3; ++k)
         ASSERT_GT(glm::dot(glm::normalize(glm::cross(b - a, c - a)), chart->normals[t[k]]), 0.5f);
     }
+}
+
+/// The bake's own reader takes the file whole, and its own check accepts the atlas.
+TEST_P(EveryScene, LoadsWithAnAtlas) {
+  const auto path = std::filesystem::path(testing::TempDir()) / (GetParam() + "_load.glb");
+  const Model model = makeScene(GetParam());
+  writeGlb(path, model);
+  Scene scene = loadGltf(path);
+  std::filesystem::remove(path);
+  size_t indices = 0;
+  for (const Chart* chart : chartsOf(model)) indices += chart->indices.size();
+  EXPECT_EQ(scene.triangles.size(), indices / 3);
+  EXPECT_EQ(scene.materials.size(), model.parts.size());
+  EXPECT_EQ(scene.textures.size(), model.textures.size());
+  EXPECT_EQ(chooseAtlas(scene), model.textured ? 1u : 0u);
 }
 
 TEST_P(EveryScene, SameBytesTwice) {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "kernel_lab.h"
+#include "tests/support/kernel_lab.h"
 
 namespace boxlight {
 namespace {

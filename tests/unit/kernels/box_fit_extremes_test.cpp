@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "bake/kernels/box_fit.h"
-#include "kernel_lab.h"
+#include "tests/support/kernel_lab.h"
 
 namespace boxlight {
 namespace {
@@ -97,6 +97,18 @@ TEST(BoxFitExtremes, TwelveDecades) {
   expectSane(deposits, 2000, {.boxes = 64, .noise = 0.0f});
 }
 
+TEST(BoxFitExtremes, UpToTwentyFourDecadesAtRandom) {
+  for (uint64_t seed = 0; seed < 1200; ++seed) {
+    Random random(seed);
+    std::vector<Deposit> deposits(1 + size_t(300.0f * random.uniform()));
+    const float decades = 24.0f * random.uniform();
+    const auto value = [&] { return std::pow(10.0f, decades * (random.uniform() - 0.5f)); };
+    for (Deposit& deposit : deposits)
+      deposit = {{random.uniform(), random.uniform()}, {value(), value(), value()}};
+    for (int boxes : {1, 12}) expectSane(deposits, deposits.size(), {.boxes = boxes});
+  }
+}
+
 TEST(BoxFitExtremes, FaintAndBrightChannelsTogether) {
   Random random(8);
   std::vector<Deposit> deposits;
@@ -110,8 +122,12 @@ TEST(BoxFitExtremes, FaintAndBrightChannelsTogether) {
 TEST(BoxFitExtremes, OneFireflyAmongMany) {
   Random random(9);
   auto deposits = lab::rectangleDeposits({0.2, 0.2, 0.3, 0.3}, 1024, Rgb(1.0f), random);
-  deposits.push_back({{0.8f, 0.8f}, Rgb(1e6f)});
-  expectSane(deposits, 2000);
+  for (const float brightness : {1e3f, 1e6f, 1e12f}) {
+    deposits.push_back({{0.8f, 0.8f}, Rgb(brightness)});
+    expectSane(deposits, 2000);
+    expectSane(deposits, 2000, {.boxes = 1});
+    deposits.pop_back();
+  }
 }
 
 TEST(BoxFitExtremes, TinyHugeAndFew) {

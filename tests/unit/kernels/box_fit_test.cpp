@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "common/light/light_domain.h"
-#include "kernel_lab.h"
+#include "tests/support/kernel_lab.h"
 
 namespace boxlight {
 namespace {
@@ -53,7 +53,7 @@ TEST_P(BoxFitRectangle, OneBoxRecoversIt) {
   const auto boxes = fit(lab::rectangleDeposits(truth, 4096, Rgb(1.0f), random), {.boxes = 1});
   ASSERT_EQ(boxes.size(), 1u);
   expectRectangle(boxes[0], truth, 0.5f * kGridStep);
-  EXPECT_NEAR(boxes[0].solidAngle(), truth.solidAngle(), 0.1 * truth.solidAngle());
+  EXPECT_NEAR(boxes[0].solidAngle(), truth.solidAngle(), 0.15 * truth.solidAngle());
   EXPECT_NEAR(boxes[0].energy.x, 1.0f, 1e-6f);
 }
 
@@ -78,29 +78,39 @@ TEST(BoxFit, TwoColoursAreTwoBoxes) {
   const Box& other = &red == &boxes[0] ? boxes[1] : boxes[0];
   expectRectangle(red, {0.1, 0.3, 0.1, 0.2}, 0.5f * kGridStep);
   expectRectangle(other, {0.6, 0.5, 0.2, 0.1}, 0.5f * kGridStep);
-  EXPECT_NEAR(red.energy.x, 0.5f, 1e-5f);
-  EXPECT_NEAR(other.energy.z, 0.5f, 1e-5f);
+  EXPECT_NEAR(red.energy.x, 0.5f, 1e-3f);
+  EXPECT_NEAR(other.energy.z, 0.5f, 1e-3f);
   EXPECT_EQ(red.energy.y, 0.0f);
 }
 
 /// Error of the fits of cosine lobes against the closed form of the light 1 + d.a: albedo (1 + 2/3 n.a).
-double cosineError(int boxes) {
+double cosineError(FitOptions options) {
   lab::RelativeError error;
   for (uint64_t i = 0; i < 8; ++i) {
     Random random(i);
     const vec3 normal = random.direction(), axis = random.direction();
     const SummedArea light = lab::tableOf([&](vec3 d) { return Rgb(1.0f + glm::dot(d, axis)); });
-    const auto fitted = fit(lab::cosineDeposits(normal, 16384, random), {.boxes = boxes});
+    const auto fitted = fit(lab::cosineDeposits(normal, 16384, random), options);
     error.add(0, lab::relight(fitted, light), dvec3(1.0 + 2.0 / 3.0 * glm::dot(normal, axis)));
   }
   return error.mean();
 }
 
 TEST(BoxFit, CosineLobeErrorFallsWithBoxes) {
-  const double one = cosineError(1), four = cosineError(4), sixteen = cosineError(16);
-  EXPECT_LT(four, 0.6 * one);
-  EXPECT_LT(sixteen, 0.6 * four);
+  const double one = cosineError({.boxes = 1}), four = cosineError({.boxes = 4}),
+               sixteen = cosineError({.boxes = 16});
+  EXPECT_LT(four, 0.75 * one);
+  EXPECT_LT(sixteen, 0.5 * four);
   EXPECT_LT(sixteen, 0.01);
+}
+
+TEST(BoxFit, RefinementPays) {
+  double refined = 0.0, inserted = 0.0;
+  for (int boxes : {2, 3, 8}) {
+    refined += cosineError({.boxes = boxes});
+    inserted += cosineError({.boxes = boxes, .refinements = 0});
+  }
+  EXPECT_LT(refined, 0.85 * inserted);
 }
 
 /// Error of glossy fits from few paths under smooth lights.
@@ -115,7 +125,7 @@ double noisyError(float noise) {
   BoxFitter fitter({.noise = noise});
   for (uint64_t i = 0; i < 24; ++i) {
     Random random(100 + i);
-    const lab::GlossyTexel texel(i, 0.3f);
+    const lab::GlossyTexel texel(i, 0.1f);
     const vec3 view = texel.anyView(0.2f, random);
     const auto boxes = fitter.fit(texel.trace(view, 96, random), 96);
     const auto truth = texel.trace(view, 8192, random);

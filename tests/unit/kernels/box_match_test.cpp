@@ -8,7 +8,7 @@
 #include "bake/kernels/box_fit.h"
 #include "common/light/light_domain.h"
 #include "common/light/relight.h"
-#include "kernel_lab.h"
+#include "tests/support/kernel_lab.h"
 
 namespace boxlight {
 namespace {

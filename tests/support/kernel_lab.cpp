@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernel_lab.h"
+#include "tests/support/kernel_lab.h"
 
 #include <cmath>
 

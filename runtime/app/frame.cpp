@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/app/frame.h"
+
+#include <optional>
+
+#include "common/base/log.h"
+#include "common/light/environment.h"
+#include "common/light/light_domain.h"
+#include "common/light/light_map.h"
+#include "runtime/kernels/pages.h"
+#include "runtime/kernels/scene_buffers.h"
+#include "runtime/kernels/shade.h"
+#include "runtime/kernels/visibility.h"
+#include "runtime/light/light_table.h"
+
+namespace boxlight::gpu {
+namespace {
+
+constexpr uint32_t kMaxTileSamples = 4096;  // each way: 128 MiB of visibility and depth
+
+/// Image tiles that cover the picture, within what the device's images and buffers hold.
+std::vector<ImageTile> splitPicture(const FrameSettings& settings, const DeviceLimits& limits) {
+  const uint32_t samples = std::min(limits.maxImageSize, kMaxTileSamples) / settings.samples;
+  uint32_t edge = std::min(settings.tileEdge, samples);
+  while (uint64_t(edge) * edge * sizeof(vec4) > limits.maxStorageBufferRange) edge /= 2;
+  std::vector<ImageTile> tiles;
+  const uvec2 size = settings.camera.size;
+  for (uint32_t y = 0; y < size.y; y += edge)
+    for (uint32_t x = 0; x < size.x; x += edge)
+      tiles.push_back({{x, y}, {std::min(edge, size.x - x), std::min(edge, size.y - y)}});
+  return tiles;
+}
+
+/// Halves an environment until a storage buffer holds it; it is only looked at, not integrated.
+Image fitBackground(const Image& environment, const DeviceLimits& limits) {
+  uvec2 size(environment.width, environment.height);
+  while (uint64_t(size.x) * size.y * 3 * sizeof(float) > limits.maxStorageBufferRange)
+    size = glm::max(size / 2u, 1u);
+  if (size == uvec2(environment.width, environment.height)) return environment;
+  log().warn("the background is drawn from {}x{} pixels of the environment: the device holds no more", size.x,
+             size.y);
+  return makeLightMap(environment, size);
+}
+
+FrameConstants makeConstants(const asset::Asset& asset, const FrameSettings& settings, uvec2 backgroundSize,
+                             float lightUnit) {
+  const Camera& camera = settings.camera;
+  const float tanY = camera.tanHalfFov, tanX = tanY * float(camera.size.x) / float(camera.size.y);
+  const auto& low = asset.info.boundsMin;
+  const auto& high = asset.info.boundsMax;
+  const float diagonal = glm::length(vec3(high[0], high[1], high[2]) - vec3(low[0], low[1], low[2]));
+  FrameConstants frame{};
+  frame.eye = vec4(camera.eye, std::max(1e-4f * diagonal, 1e-6f));
+  frame.right = vec4(camera.right / tanX, 0.0f);
+  frame.up = vec4(camera.up / tanY, 0.0f);
+  frame.forward = vec4(camera.forward, 0.0f);
+  frame.rayRight = vec4(camera.right * tanX, 0.0f);
+  frame.rayUp = vec4(camera.up * tanY, 0.0f);
+  frame.imageSize = camera.size;
+  frame.samples = settings.samples;
+  frame.boxLimit = settings.boxLimit;
+  frame.lightSize = settings.lightSize;
+  frame.lightUnit = lightUnit;
+  frame.lightOffset = environmentOffset(settings.environmentDegrees);
+  frame.backgroundSize = backgroundSize;
+  frame.atlasSize = {asset.info.atlasWidth, asset.info.atlasHeight};
+  frame.recordCount = uint32_t(asset.records.size());
+  frame.tileCount = uint32_t(asset.tiles.size());
+  frame.diffuseStream = asset.diffuseStream();
+  frame.viewTriangles = 20 * asset.info.viewFrequency * asset.info.viewFrequency;
+  return frame;
+}
+
+void addTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) {
+  for (const PassTime& time : times) {
+    const auto same =
+        std::find_if(total.begin(), total.end(), [&](const PassTime& t) { return t.name == time.name; });
+    if (same == total.end())
+      total.push_back(time);
+    else
+      same->milliseconds += time.milliseconds;
+  }
+}
+
+}  // namespace
+
+struct FrameRenderer::Parts {
+  Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment, const FrameSettings& chosen);
+  void findVisible();
+  void drawTile(Commands& commands, const ImageTile& tile);
+  void resolveTile(Commands& commands, const ImageTile& tile);
+  void shadeRecords(Commands& commands);
+  void keepTile(const ImageTile& tile);
+
+  Device& device;
+  FrameSettings settings;
+  std::vector<ImageTile> tiles;  // of the picture; the first is the largest
+  Bindings bindings;
+  SceneBuffers scene;
+  LightTable light;
+  Buffer frame, background;
+  ShadedRecords shaded;
+  VisibilityPass visibility;
+  ResolvePass resolve;
+  std::optional<ResidentPages> pages;
+  std::optional<ShadePass> shade;
+  FrameCounts counts;
+  Image picture;
+};
+
+FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment,
+                            const FrameSettings& chosen)
+    : device(gpu),
+      settings(chosen),
+      tiles(splitPicture(settings, gpu.limits())),
+      bindings(gpu),
+      scene(gpu, bindings, reader.asset()),
+      light(gpu, bindings, makeLightMap(environment, settings.lightSize)),
+      frame(gpu, "frame constants", sizeof(FrameConstants)),
+      background(gpu, "no background", 0),
+      shaded(gpu, bindings, reader.asset()),
+      visibility(gpu, bindings, reader.asset(), tiles.front().size * settings.samples),
+      resolve(gpu, bindings, reader.asset(), uint64_t(tiles.front().size.x) * tiles.front().size.y,
+              settings.background),
+      picture(makeImage(settings.camera.size.x, settings.camera.size.y, 4)) {
+  uvec2 backgroundSize(0);
+  if (settings.background) {
+    const Image image = fitBackground(environment, gpu.limits());
+    backgroundSize = {image.width, image.height};
+    background = makeBuffer(gpu, "background", image.pixels);
+    bindings.set(kBindBackground, background);
+  }
+  const FrameConstants constants = makeConstants(reader.asset(), settings, backgroundSize, light.unit());
+  upload(gpu, frame, std::as_bytes(std::span(&constants, 1)));
+  bindings.set(kBindFrame, frame);
+
+  findVisible();
+  const std::vector<uint32_t> visible = visibility.readList(gpu);
+  pages.emplace(gpu, bindings, reader, visible, settings.camera.eye, settings.poolBytes, settings.threads);
+  shade.emplace(gpu, bindings, reader.asset(), pages->poolCount(), settings.interpolation);
+  counts = {visible.size(), countBoxes(reader.asset(), visible, settings.boxLimit), pages->pageCount(),
+            pages->bytes(), scene.bytes()};
+}
+
+void FrameRenderer::Parts::findVisible() {
+  device.run([&](Commands& commands) { visibility.clear(commands); });
+  for (const ImageTile& tile : tiles) device.run([&](Commands& commands) { drawTile(commands, tile); });
+  device.run([&](Commands& commands) { visibility.compact(commands); });
+}
+
+void FrameRenderer::Parts::drawTile(Commands& commands, const ImageTile& tile) {
+  commands.pass("visibility", [&] { visibility.draw(commands, tile, settings.samples); });
+  commands.pass("mark", [&] { visibility.mark(commands, tile); });
+}
+
+void FrameRenderer::Parts::shadeRecords(Commands& commands) {
+  commands.pass("compact", [&] { visibility.compact(commands); });
+  commands.pass("shade", [&] { shade->shade(commands, visibility.list()); });
+}
+
+void FrameRenderer::Parts::resolveTile(Commands& commands, const ImageTile& tile) {
+  if (tiles.size() > 1)  // the image holds the last tile drawn
+    commands.pass("visibility", [&] { visibility.draw(commands, tile, settings.samples); });
+  commands.pass("resolve", [&] { resolve.resolve(commands, tile); });
+}
+
+void FrameRenderer::Parts::keepTile(const ImageTile& tile) {
+  const std::vector<vec4> pixels = resolve.read(device, tile);
+  for (uint32_t y = 0; y < tile.size.y; ++y)
+    std::copy_n(&pixels[size_t(y) * tile.size.x].x, size_t(4) * tile.size.x,
+                picture.at(tile.origin.x, tile.origin.y + y));
+}
+
+FrameRenderer::FrameRenderer(Device& device, const asset::AssetReader& reader, const Image& environment,
+                             const FrameSettings& settings)
+    : parts_(std::make_unique<Parts>(device, reader, environment, settings)) {
+  run();
+}
+
+FrameRenderer::~FrameRenderer() = default;
+
+std::vector<PassTime> FrameRenderer::run() {
+  Parts& p = *parts_;
+  std::vector<PassTime> times;
+  const auto submit = [&](const auto& record) { addTimes(times, p.device.run(record)); };
+  submit([&](Commands& commands) {
+    commands.pass("light table", [&] { p.light.build(commands); });
+    commands.pass("clear", [&] { p.visibility.clear(commands); });
+  });
+  for (const ImageTile& tile : p.tiles) submit([&](Commands& commands) { p.drawTile(commands, tile); });
+  submit([&](Commands& commands) { p.shadeRecords(commands); });
+  for (const ImageTile& tile : p.tiles) {
+    submit([&](Commands& commands) { p.resolveTile(commands, tile); });
+    p.keepTile(tile);
+  }
+  return times;
+}
+
+const Image& FrameRenderer::picture() const { return parts_->picture; }
+const FrameCounts& FrameRenderer::counts() const { return parts_->counts; }
+std::vector<vec4> FrameRenderer::readShaded() const { return parts_->shaded.read(parts_->device); }
+std::vector<uint32_t> FrameRenderer::readVisible() const {
+  return parts_->visibility.readList(parts_->device);
+}
+
+std::vector<uvec4> FrameRenderer::readLightTable() const {
+  const Buffer& entries = parts_->light.entries();
+  return readBuffer<uvec4>(parts_->device, entries, entries.size() / sizeof(uvec4));
+}
+
+}  // namespace boxlight::gpu

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+
+#include "common/asset/asset_reader.h"
+#include "common/image/camera.h"
+#include "common/image/image.h"
+#include "common/light/relight.h"
+#include "runtime/vulkan/device.h"
+
+namespace boxlight::gpu {
+
+/// What a picture depends on beside the asset and the environment.
+struct FrameSettings {
+  Camera camera;
+  float environmentDegrees = 0;  ///< --env-rotation
+  uint32_t samples = 2;          ///< visibility samples of a pixel, each way
+  uint32_t boxLimit = ~0u;       ///< boxes evaluated of each kernel at most
+  Interpolation interpolation = Interpolation::energy;
+  uvec2 lightSize{512, 256};          ///< of the light map
+  bool background = true;             ///< draw the environment behind the object
+  uint32_t tileEdge = 2048;           ///< image tiles are no larger, in pixels
+  uint64_t poolBytes = ~uint64_t(0);  ///< storage buffers of boxes are no larger, whatever the device allows
+  int threads = 0;                    ///< for reading pages; 0 = all
+};
+
+struct FrameCounts {
+  uint64_t visibleRecords = 0;
+  uint64_t boxes = 0;  ///< integrals of Equation 3 in a frame
+  uint64_t pages = 0, pageBytes = 0, sceneBytes = 0;
+};
+
+/// One asset under one environment from one camera. Construction uploads everything, finds what is visible
+/// and runs every pass once, so that no later frame waits for a compiler.
+class FrameRenderer {
+ public:
+  FrameRenderer(Device& device, const asset::AssetReader& reader, const Image& environment,
+                const FrameSettings& settings);
+  ~FrameRenderer();
+
+  /// Runs every pass and returns the GPU time of each, in order; those of several image tiles are added up.
+  std::vector<PassTime> run();
+  /// The last frame: RGBA, linear, premultiplied, row 0 at the top. Alpha is the part of the pixel that the
+  /// object covers, or 1 with a background.
+  const Image& picture() const;
+  const FrameCounts& counts() const;
+  /// The last frame's texel records, two vec4 each: diffuse and glossy radiance. Those of records out of
+  /// sight mean nothing.
+  std::vector<vec4> readShaded() const;
+  std::vector<uint32_t> readVisible() const;
+  /// The summed-area table as sat_columns.comp packs it.
+  std::vector<uvec4> readLightTable() const;
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace boxlight::gpu

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/app/headless_app.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "common/base/file.h"
+#include "common/base/log.h"
+#include "common/light/environment.h"
+#include "runtime/app/frame.h"
+#include "runtime/app/stats.h"
+
+namespace boxlight::gpu {
+namespace {
+
+FrameSettings frameSettings(const ViewOptions& options, const asset::Info& info) {
+  const auto& low = info.boundsMin;
+  const auto& high = info.boundsMax;
+  FrameSettings settings;
+  settings.camera = makeCamera(options.camera, vec3(low[0], low[1], low[2]), vec3(high[0], high[1], high[2]));
+  settings.environmentDegrees = options.environmentDegrees;
+  settings.samples = options.samples;
+  if (options.boxes > 0) settings.boxLimit = options.boxes;
+  settings.interpolation = options.interpolation;
+  settings.lightSize = options.lightSize;
+  settings.background = options.background;
+  settings.threads = options.common.threads;
+  return settings;
+}
+
+void writePicture(const ViewOptions& options, const Image& picture) {
+  if (options.output.extension() == ".exr") return writeImage(options.output, picture);
+  writeImage(options.output, toDisplay(picture, options.exposure));
+}
+
+void renderOn(Device& device, const ViewOptions& options, const asset::AssetReader& reader,
+              const Image& environment) {
+  const FrameSettings settings = frameSettings(options, reader.asset().info);
+  log().debug("device {}: {}, {}", device.info().index, device.info().name, device.info().driver);
+  FrameRenderer renderer(device, reader, environment, settings);
+  FrameTimes times;
+  for (uint32_t frame = 0; frame < options.frames; ++frame) times.add(renderer.run());
+  writePicture(options, renderer.picture());
+  const auto stats = describeFrame(device.info(), settings, renderer.counts(), times, options.frames);
+  if (!options.stats.empty()) writeTextFile(options.stats, stats.dump(2) + "\n");
+  if (options.common.json) fmt::print("{}\n", stats.dump(2));
+}
+
+}  // namespace
+
+void printDevices(bool json) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const DeviceInfo& device : listDevices()) {
+    if (!json)
+      fmt::print("{}: {} ({}, Vulkan {}, {}){}\n", device.index, device.name, device.kind, device.apiVersion,
+                 device.driver, device.usable ? "" : " - not usable");
+    list.push_back({{"index", device.index},
+                    {"name", device.name},
+                    {"kind", device.kind},
+                    {"api", device.apiVersion},
+                    {"driver", device.driver},
+                    {"usable", device.usable}});
+  }
+  if (json) fmt::print("{}\n", list.dump(2));
+}
+
+void renderHeadless(const ViewOptions& options) {
+  const asset::AssetReader reader(options.asset);
+  const Image environment = readEnvironment(options.environment);
+  std::shared_ptr<const ValidationLog> validation;
+  {
+    Device device({options.device, options.validation});
+    validation = device.validationLog();
+    renderOn(device, options, reader, environment);
+  }
+  requireSilence(*validation);
+}
+
+}  // namespace boxlight::gpu

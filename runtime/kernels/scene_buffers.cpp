@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "runtime/kernels/scene_buffers.h"
+
+#include "common/image/image.h"
+#include "common/light/directional_albedo.h"
+#include "common/light/view_sphere.h"
+#include "runtime/kernels/texture_mips.h"
+#include "shaders/shared.h"
+
+namespace boxlight::gpu {
+namespace {
+
+std::vector<GpuRecord> makeRecords(const asset::Asset& asset) {
+  std::vector<GpuRecord> records(asset.records.size());
+  for (uint32_t t = 0; t < asset.tiles.size(); ++t)
+    for (uint32_t slot = 0; slot < asset.tiles[t].recordCount; ++slot) {
+      const uint32_t r = asset.tiles[t].firstRecord + slot;
+      const auto& p = asset.records[r].position;
+      const auto& n = asset.records[r].normal;
+      records[r] = {{p[0], p[1], p[2]}, t, {n[0], n[1], n[2]}, slot};
+    }
+  return records;
+}
+
+std::vector<ViewTriangle> makeViewTriangles(const ViewSphere& sphere) {
+  std::vector<ViewTriangle> triangles(sphere.triangles().size());
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    const uvec3 corners = sphere.triangles()[t];
+    for (int k = 0; k < 3; ++k) {
+      const vec3 next = sphere.directions()[corners[(k + 1) % 3]],
+                 last = sphere.directions()[corners[(k + 2) % 3]];
+      triangles[t].rows[k] = vec4(glm::cross(next, last), 0.0f);
+    }
+    triangles[t].view = uvec4(corners, 0);
+    triangles[t].neighbour = uvec4(sphere.neighbours()[t], 0);
+  }
+  return triangles;
+}
+
+std::vector<float> makeTables() {
+  static_assert(AlbedoTable::kSize == kAlbedoNodes);
+  std::vector<float> tables;
+  for (const vec2 node : albedoTable().specularNodes) tables.insert(tables.end(), {node.x, node.y});
+  const auto& fresnel = albedoTable().fresnelNodes;
+  tables.insert(tables.end(), fresnel.begin(), fresnel.end());
+  for (int code = 0; code < 256; ++code) tables.push_back(decodeSrgb(float(code) / 255.0f));
+  assert(tables.size() == kTableSize);
+  return tables;
+}
+
+}  // namespace
+
+SceneBuffers::SceneBuffers(Device& device, Bindings& bindings, const asset::Asset& asset) {
+  const auto add = [&](uint32_t binding, const char* name, const auto& values) {
+    buffers_.push_back(makeBuffer(device, name, values));
+    bindings.set(binding, buffers_.back());
+  };
+  add(kBindVertices, "vertices", asset.vertices);
+  add(kBindTriangles, "triangles", asset.triangles);
+  add(kBindMaterials, "materials", asset.materials);
+  if (!asset.textures.empty()) {
+    const TextureSet textures = makeTextureSet(asset);
+    add(kBindTextures, "texture headers", textures.headers);
+    add(kBindTextureLevels, "texture levels", textures.levels);
+    add(kBindTexels, "texture texels", textures.texels);
+  }
+  add(kBindAtlas, "atlas", asset.atlas);
+  add(kBindRecords, "texel records", makeRecords(asset));
+  add(kBindTiles, "tiles", asset.tiles);
+  add(kBindViews, "view triangles", makeViewTriangles(ViewSphere(asset.info.viewFrequency)));
+  add(kBindTables, "tables", makeTables());
+}
+
+uint64_t SceneBuffers::bytes() const {
+  uint64_t total = 0;
+  for (const Buffer& buffer : buffers_) total += buffer.size();
+  return total;
+}
+
+}  // namespace boxlight::gpu

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/asset/asset.h"
+#include "common/light/relight.h"
+#include "runtime/vulkan/commands.h"
+#include "shaders/shared.h"
+
+namespace boxlight::gpu {
+
+/// Has any kernel of the asset glossy boxes? If not, nothing glossy is compiled into the shaders.
+bool isGlossy(const asset::Asset& asset);
+
+/// Demodulated radiance of texel records: two vec4 a record, diffuse and glossy.
+class ShadedRecords {
+ public:
+  ShadedRecords(Device& device, Bindings& bindings, const asset::Asset& asset);
+  std::vector<vec4> read(Device& device) const;
+
+ private:
+  Buffer buffer_;
+};
+
+/// Equation 3 for every record on the list. Made when the resident pages are known: their pools are compiled
+/// in.
+class ShadePass {
+ public:
+  ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
+            Interpolation interpolation);
+  /// `list`: VisibleHeader and records.
+  void shade(Commands& commands, const Buffer& list) const;
+
+ private:
+  ComputePipeline pipeline_;
+};
+
+/// Filters shaded records and multiplies the material in: RGBA of one image tile.
+class ResolvePass {
+ public:
+  /// `tilePixels`: pixels of the largest image tile.
+  ResolvePass(Device& device, Bindings& bindings, const asset::Asset& asset, uint64_t tilePixels,
+              bool background);
+  void resolve(Commands& commands, const ImageTile& tile) const;
+  std::vector<vec4> read(Device& device, const ImageTile& tile) const;  ///< rows of the tile
+
+ private:
+  Buffer picture_;
+  ComputePipeline pipeline_;
+};
+
+}  // namespace boxlight::gpu

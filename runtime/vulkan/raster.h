@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/base/math.h"
+#include "runtime/vulkan/pipeline.h"
+
+namespace boxlight::gpu {
+
+/// One 32-bit word per sample, with a depth buffer behind it. Kept in the general layout, so that compute
+/// reads it in place.
+class RasterTarget {
+ public:
+  RasterTarget(Device& device, uvec2 size);
+  ~RasterTarget();
+
+  uvec2 size() const { return size_; }
+  struct Native;
+  const Native& native() const { return *native_; }
+
+ private:
+  uvec2 size_;
+  std::unique_ptr<Native> native_;
+};
+
+/// Triangles pulled from storage buffers by the vertex shader. Nothing is culled by winding; the depth test
+/// is reversed (greater is nearer) and cleared to 0 with the colour.
+class RasterPipeline {
+ public:
+  RasterPipeline(const Device& device, const Bindings& bindings, const RasterTarget& target,
+                 std::span<const uint32_t> vertexCode, std::span<const uint32_t> fragmentCode,
+                 std::span<const uint32_t> constants = {});
+  ~RasterPipeline();
+
+  const Bindings& bindings() const { return *bindings_; }
+  struct Native;
+  const Native& native() const { return *native_; }
+
+ private:
+  const Bindings* bindings_;
+  std::unique_ptr<Native> native_;
+};
+
+}  // namespace boxlight::gpu

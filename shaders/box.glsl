@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_BOX_GLSL
+#define BOXLIGHT_BOX_GLSL
+
+#include "light_domain.glsl"
+
+/// box.h.
+struct Box {
+  float u, du;
+  Latitudes latitudes;
+  vec3 energy;
+};
+
+Box unpackBox(uvec4 packed) {
+  uvec2 corner = uvec2(packed.x & 0xFFFFu, packed.x >> 16), size = uvec2(packed.y & 0xFFFFu, packed.y >> 16) + 1;
+  size.y = min(size.y, 65536 - corner.y);
+  Latitudes latitudes = Latitudes(float(corner.y), float(size.y), float(65536 - corner.y - size.y));
+  latitudes = Latitudes(latitudes.v / 65536.0, latitudes.height / 65536.0, latitudes.below / 65536.0);
+  vec3 energy = vec3(unpackHalf2x16(packed.z), unpackHalf2x16(packed.w).x);
+  return Box(float(corner.x) / 65536.0, float(size.x) / 65536.0, latitudes, energy);
+}
+
+bool isEmpty(Box box) { return all(equal(box.energy, vec3(0.0))); }
+
+vec3 boxWeight(Box box) { return box.energy / solidAngle(box.du, box.latitudes); }
+
+/// relight.h: interpolateBoxes, whose energy becomes weights where `interpolateWeight` says so.
+Box interpolateBoxes(Box a, Box b, Box c, vec3 weight, bool interpolateWeight) {
+  vec3 g = weight * vec3(!isEmpty(a), !isEmpty(b), !isEmpty(c));
+  float total = g.x + g.y + g.z;
+  if (total <= 0.0) return Box(0.0, 1.0, Latitudes(0.0, 1.0, 0.0), vec3(0.0));
+  vec3 du = vec3(a.du, b.du, c.du);
+  Box result;
+  result.du = min(dot(g, du) / total, 1.0);
+  result.latitudes.v = dot(g, vec3(a.latitudes.v, b.latitudes.v, c.latitudes.v)) / total;
+  result.latitudes.height = dot(g, vec3(a.latitudes.height, b.latitudes.height, c.latitudes.height)) / total;
+  result.latitudes.below = dot(g, vec3(a.latitudes.below, b.latitudes.below, c.latitudes.below)) / total;
+
+  vec3 centres = vec3(a.u, b.u, c.u) + 0.5 * du;
+  vec3 h = g * vec3(lessThan(du, vec3(1.0)));  // a full ring has no centre
+  float centred = h.x + h.y + h.z;
+  float reference = h.x > 0.0 ? centres.x : h.y > 0.0 ? centres.y : centres.z;
+  vec3 shift = centres - reference;
+  shift -= floor(shift + 0.5);
+  result.u = centred > 0.0 ? fract(reference + dot(h, shift) / centred - 0.5 * result.du) : 0.0;
+
+  result.energy = interpolateWeight
+                      ? weight.x * boxWeight(a) + weight.y * boxWeight(b) + weight.z * boxWeight(c)
+                      : weight.x * a.energy + weight.y * b.energy + weight.z * c.energy;
+  return result;
+}
+
+#endif

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_FRAME_GLSL
+#define BOXLIGHT_FRAME_GLSL
+
+#include "shared.h"
+
+layout(std430, binding = kBindFrame) readonly buffer Frame { FrameConstants frame; };
+layout(std430, binding = kBindTables) readonly buffer Tables { float tables[]; };
+
+const float kPi = 3.14159265358979;
+
+#endif

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+// Constants and records that C++ and GLSL share. Vectors have GLSL's names in both; records follow std430.
+#ifndef BOXLIGHT_SHARED_H
+#define BOXLIGHT_SHARED_H
+
+#ifdef __cplusplus
+#include "common/base/math.h"
+namespace boxlight::gpu {
+using glm::uvec2;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+using uint = unsigned;
+#define SHARED_CONSTANT inline constexpr uint
+#else
+#define SHARED_CONSTANT const uint
+#endif
+
+// Bindings of the one descriptor set.
+SHARED_CONSTANT kBindFrame = 0;          // FrameConstants
+SHARED_CONSTANT kBindVertices = 1;       // asset::Vertex, as floats
+SHARED_CONSTANT kBindTriangles = 2;      // asset::Triangle
+SHARED_CONSTANT kBindMaterials = 3;      // asset::Material
+SHARED_CONSTANT kBindTextures = 4;       // TextureHeader
+SHARED_CONSTANT kBindTextureLevels = 5;  // TextureLevel
+SHARED_CONSTANT kBindTexels = 6;         // RGBA8
+SHARED_CONSTANT kBindAtlas = 7;          // asset::AtlasTexel
+SHARED_CONSTANT kBindRecords = 8;        // GpuRecord
+SHARED_CONSTANT kBindTiles = 9;          // asset::Tile
+SHARED_CONSTANT kBindPageTable = 10;     // PageSlot[streamCount][tileCount]
+SHARED_CONSTANT kBindBoxPools = 11;      // kMaxBoxPools bindings of asset::PackedBox
+SHARED_CONSTANT kBindViews = 15;         // ViewTriangle
+SHARED_CONSTANT kBindLightMap = 16;      // RGB floats
+SHARED_CONSTANT kBindRowFactors = 17;    // one float a row
+SHARED_CONSTANT kBindRowSums = 18;       // RowSum
+SHARED_CONSTANT kBindSummedArea = 19;    // packed prefixes
+SHARED_CONSTANT kBindVisible = 20;       // VisibleHeader, then record indices
+SHARED_CONSTANT kBindMarks = 21;         // one word a record
+SHARED_CONSTANT kBindShaded = 22;        // two vec4 a record: diffuse, glossy
+SHARED_CONSTANT kBindTables = 23;        // floats: see kTable... below
+SHARED_CONSTANT kBindBackground = 24;    // environment image, RGB floats
+SHARED_CONSTANT kBindPicture = 25;       // RGBA floats of one image tile
+SHARED_CONSTANT kBufferBindings = 26;
+SHARED_CONSTANT kBindVisibility = 26;  // r32ui image: triangle + 1, or 0
+
+// Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
+// Fresnel factor [n.v], and the linear values of the 256 sRGB codes.
+SHARED_CONSTANT kAlbedoNodes = 64;
+SHARED_CONSTANT kTableFresnel = 2 * kAlbedoNodes * kAlbedoNodes;
+SHARED_CONSTANT kTableSrgb = kTableFresnel + kAlbedoNodes;
+SHARED_CONSTANT kTableSize = kTableSrgb + 256;
+
+SHARED_CONSTANT kMaxBoxPools = 4;
+SHARED_CONSTANT kGroupSize = 64;  // threads of every linear dispatch
+SHARED_CONSTANT kPixelGroup = 8;  // threads each way of every dispatch over an image
+SHARED_CONSTANT kAbsent = 0xFFFFFFFFu;
+
+// Summed-area table: prefixes are summed with kGuardBits below the unit that is kept, then rounded to
+// kPrefixBits.
+SHARED_CONSTANT kGuardBits = 16;
+SHARED_CONSTANT kPrefixBits = 42;
+
+struct FrameConstants {
+  vec4 eye;           // xyz; w = distance of the near plane
+  vec4 right;         // unit, divided by tan(half the horizontal field of view)
+  vec4 up;            // unit, divided by tan(half the vertical field of view)
+  vec4 forward;       // unit
+  vec4 rayRight;      // unit, times tan(half the horizontal field of view)
+  vec4 rayUp;         // unit, times tan(half the vertical field of view)
+  uvec2 imageSize;    // pixels
+  uint samples;       // visibility samples of a pixel, each way
+  uint boxLimit;      // boxes evaluated of each kernel at most
+  uvec2 lightSize;    // of the light map
+  float lightUnit;    // radiance times steradian of one unit of the summed-area table
+  float lightOffset;  // in u: the environment's rotation
+  uvec2 backgroundSize;
+  uvec2 atlasSize;
+  uint recordCount, tileCount, diffuseStream, viewTriangles;
+};
+
+// A rectangle of the picture, in pixels.
+struct ImageTile {
+  uvec2 origin, size;
+};
+
+struct TextureHeader {
+  uint firstLevel, levelCount;
+  uint wrapS, wrapT;  // asset::Wrap
+  uint srgb, magNearest, minFilter, reserved;
+};
+
+struct TextureLevel {
+  uint firstTexel, width, height, reserved;
+};
+
+// A texel record as the shading pass sees it.
+struct GpuRecord {
+  vec3 position;
+  uint tile;
+  vec3 normal;
+  uint slot;  // index in its tile
+};
+
+// A resident page: its boxes start at `firstBox` of pool `pool`; an absent page has an empty mask.
+struct PageSlot {
+  uint maskLow, maskHigh;
+  uint firstBox, pool;
+};
+
+// A triangle of the view sphere. With row k = cross of the two other corners, dot(direction, row k) is
+// proportional to the barycentric weight of corner k; neighbour k lies across the edge opposite to it.
+struct ViewTriangle {
+  vec4 rows[3];
+  uvec4 view;
+  uvec4 neighbour;
+};
+
+// 64-bit sums of R, G, B as low and high words.
+struct RowSum {
+  uint low[3];
+  uint high[3];
+};
+
+struct VisibleHeader {
+  uint groups[3];  // for dispatchIndirect
+  uint count;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(FrameConstants) == 160 && sizeof(ViewTriangle) == 80 && sizeof(RowSum) == 24);
+}  // namespace boxlight::gpu
+#endif
+#undef SHARED_CONSTANT
+#endif

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tests/format/sample_asset.h"
+
+#include <bit>
+#include <glm/gtc/packing.hpp>
+#include <random>
+
+namespace boxlight::asset {
+namespace {
+
+/// Numbers that never repeat soon; std::mt19937 is the same everywhere, std distributions are not.
+class Numbers {
+ public:
+  uint32_t integer(uint32_t below) { return uint32_t(engine_() % below); }
+  float fraction() { return float(engine_() >> 8) / float(1 << 24); }
+  vec3 unit() {
+    return glm::normalize(vec3(fraction(), fraction(), fraction()) - vec3(0.5f) + vec3(0, 0, 1e-3f));
+  }
+  template <size_t N>
+  void fill(float (&values)[N]) {
+    for (float& value : values) value = fraction();
+  }
+  void fillUnit(float* values) {
+    const vec3 v = unit();
+    for (int axis = 0; axis < 3; ++axis) values[axis] = v[axis];
+  }
+
+ private:
+  std::mt19937 engine_{1};
+};
+
+void addMesh(Asset& asset, Numbers& numbers) {
+  for (int i = 0; i < 7; ++i) {
+    Vertex v{};
+    numbers.fill(v.position);
+    numbers.fillUnit(v.normal);
+    numbers.fillUnit(v.tangent);
+    v.tangent[3] = i % 2 ? 1.0f : -1.0f;
+    numbers.fill(v.atlasUv);
+    for (auto& uv : v.uv) numbers.fill(uv);
+    numbers.fill(v.color);
+    asset.vertices.push_back(v);
+  }
+  for (uint32_t i = 0; i < 5; ++i) asset.triangles.push_back({{i, i + 1, i + 2}, i % 2});
+  std::fill_n(asset.info.boundsMin, 3, -0.25f);
+  for (int axis = 0; axis < 3; ++axis) asset.info.boundsMax[axis] = 1.0f + float(axis);
+}
+
+void addMaterials(Asset& asset, Numbers& numbers) {
+  Material plain, textured;
+  numbers.fill(plain.baseColor);
+  plain.flags = kDoubleSided;
+  numbers.fill(textured.baseColor);
+  textured.metallic = 0.25f;
+  textured.roughness = 0.375f;
+  textured.normalScale = -2.0f;
+  textured.alphaCutoff = 0.625f;
+  textured.specular = 0.875f;
+  numbers.fill(textured.specularColor);
+  textured.flags = kAlphaMask;
+  textured.baseColorTexture = {0, 1};
+  textured.metallicRoughnessTexture = {1, 0};
+  textured.normalTexture = {1, 1};
+  textured.specularTexture = {0, 0};
+  textured.specularColorTexture = {1, 1};
+  asset.materials = {plain, textured};
+  asset.textures = {{4, 2, 0, Wrap::clampToEdge, Wrap::mirroredRepeat, 1, 0, 2},
+                    {2, 3, 8, Wrap::repeat, Wrap::clampToEdge, 0, 1, 1}};
+  for (int i = 0; i < 14; ++i) asset.texels.push_back(numbers.integer(0xFFFFFFFFu));
+}
+
+void addRecords(Asset& asset, Numbers& numbers, const SampleSize& size) {
+  const uint32_t side = 4 + size.records / 8;
+  asset.info.atlasWidth = side + 1;
+  asset.info.atlasHeight = side;
+  asset.atlas.resize(size_t(side + 1) * side);
+  for (uint32_t i = 0; i < size.records; ++i) {
+    TexelRecord r{};
+    numbers.fill(r.position);
+    r.flags = i % 3 == 2 ? uint32_t(kBackSide) : 0;
+    numbers.fillUnit(r.normal);
+    r.material = i % 2;
+    numbers.fillUnit(r.tangent);
+    r.roughness = numbers.fraction();
+    numbers.fill(r.f0);
+    r.metallic = numbers.fraction();
+    r.atlasX = i % (side + 1);
+    r.atlasY = i / (side + 1);
+    r.emissionSlot = kNone;
+    asset.records.push_back(r);
+    AtlasTexel& texel = asset.atlas[i];
+    (r.flags & kBackSide ? texel.back : texel.front) = i;
+  }
+}
+
+std::vector<PackedBox> makePage(Numbers& numbers, uint64_t boxes) {
+  std::vector<PackedBox> page(boxes);
+  for (PackedBox& box : page) {
+    box.u0 = uint16_t(numbers.integer(65536));
+    box.v0 = uint16_t(numbers.integer(65536));
+    box.du = uint16_t(numbers.integer(65536));
+    box.dv = uint16_t(numbers.integer(65536u - box.v0));
+    for (uint16_t& energy : box.energy) energy = glm::packHalf1x16(0.25f * numbers.fraction());
+  }
+  return page;
+}
+
+/// Tile 0 has glossy and Lambert kernels of different lengths, the others no glossy ones in every third view.
+void addPages(Sample& sample, Numbers& numbers, const SampleSize& size) {
+  Asset& asset = sample.asset;
+  for (uint32_t first = 0; first < size.records; first += size.recordsPerTile)
+    asset.tiles.push_back(
+        {first, std::min(size.recordsPerTile, size.records - first), first == 0 ? 3u : 2u, 4});
+  for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
+    for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
+      const uint64_t all = ~uint64_t(0) >> (64 - asset.tiles[tile].recordCount);
+      const bool hidden = tile > 0 && stream % 3 == 0 && stream != asset.diffuseStream();
+      const uint64_t some =
+          stream == asset.diffuseStream() ? all : (0x5555555555555555ull << stream % 2 | 4) & all;
+      asset.streamMasks.push_back(hidden ? 0 : some);
+    }
+  for (size_t i = 0; i < asset.streamMasks.size(); ++i) {
+    const auto stream = uint32_t(i / asset.tiles.size()), tile = uint32_t(i % asset.tiles.size());
+    sample.pages.push_back(makePage(
+        numbers, uint64_t(std::popcount(asset.streamMasks[i])) * asset.boxesPerKernel(stream, tile)));
+  }
+}
+
+}  // namespace
+
+PageSource Sample::source() const {
+  return [this](uint32_t stream, uint32_t tile) {
+    return std::span<const PackedBox>(pages[size_t(stream) * asset.tiles.size() + tile]);
+  };
+}
+
+Sample makeSample(SampleSize size) {
+  Sample sample;
+  Asset& asset = sample.asset;
+  Numbers numbers;
+  asset.provenance = {
+      {"tool", "sample 1.0"}, {"options", {{"boxes", 3}, {"name", "J\u00e4ger"}}}, {"seed", 7}};
+  asset.info.viewFrequency = size.viewFrequency;
+  asset.info.viewCount = 10 * size.viewFrequency * size.viewFrequency + 2;
+  addMesh(asset, numbers);
+  addMaterials(asset, numbers);
+  addRecords(asset, numbers, size);
+  addPages(sample, numbers, size);
+  return sample;
+}
+
+}  // namespace boxlight::asset

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+#include "common/asset/asset_writer.h"
+
+namespace boxlight::asset {
+
+/// A small valid asset in which every field has a value of its own, made without a bake.
+struct Sample {
+  Asset asset;
+  std::vector<std::vector<PackedBox>> pages;  ///< [stream * tileCount + tile]
+
+  PageSource source() const;
+  void write(const std::filesystem::path& path) const { writeAsset(path, asset, source()); }
+};
+
+struct SampleSize {
+  uint32_t viewFrequency = 1;
+  uint32_t records = 5;
+  uint32_t recordsPerTile = 3;
+};
+
+Sample makeSample(SampleSize size = {});
+
+}  // namespace boxlight::asset

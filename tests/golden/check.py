@@ -1,0 +1,38 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""check.py BUILD NAME: bakes and renders one golden with the shipped programs and compares.
+check.py BUILD --separate: every threshold must tell its golden from every other golden.
+On failure the pictures stay in BUILD/golden."""
+import sys
+from pathlib import Path
+
+import golden
+
+
+def separate(programs):
+    names = golden.cases()
+    confused = []
+    for name in names:
+        for other in names:
+            if name == other:
+                continue
+            figures = programs.compare(golden.FOLDER / f"{other}.exr", golden.FOLDER / f"{name}.exr")
+            if not golden.exceeded(golden.load(name), figures):
+                confused.append(f"{other}.exr would pass as {name}.exr")
+    if len(names) < 8 or confused:
+        raise golden.Failure("\n".join(confused) or f"only {len(names)} goldens")
+
+
+def main():
+    build, what = sys.argv[1:]
+    programs = golden.Programs(build, Path(build) / "golden")
+    try:
+        separate(programs) if what == "--separate" else golden.check(programs, what)
+    except golden.Failure as failure:
+        print(failure)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

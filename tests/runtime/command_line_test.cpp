@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+// The shipped program: exit codes, messages, outputs.
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/runtime/synthetic.h"
+
+namespace boxlight {
+namespace {
+
+std::string contents(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path).rdbuf();
+  return text.str();
+}
+
+class CommandLineTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::filesystem::create_directories(folder_);
+    Square square;
+    square.glossyBoxes = 2;
+    square.write(asset_, [](uint32_t, uint32_t, uint32_t) { return Box{0.1f, 0.1f, 0.5f, 0.5f, Rgb(1)}; });
+    writeImage(light_, axesEnvironment({64, 32}));
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  /// The exit code; what was printed is in out_ and err_.
+  int run(const std::string& arguments) {
+    const auto out = folder_ / "out", err = folder_ / "err";
+    const std::string command =
+        std::string(PTVIEW) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+    const int status = std::system(command.c_str());
+    out_ = contents(out);
+    err_ = contents(err);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string usual(const std::string& output) const {
+    return asset_.string() + " --headless --env " + light_.string() + " --size 40x30 --validation -o " +
+           (folder_ / output).string() + " ";
+  }
+
+  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "boxlight_ptview";
+  std::filesystem::path asset_ = folder_ / "square.ptb", light_ = folder_ / "axes.exr";
+  std::string out_, err_;
+};
+
+TEST_F(CommandLineTest, WritesPictureAndStats) {
+  const auto stats = folder_ / "stats.json";
+  ASSERT_EQ(
+      run(usual("picture.exr") + "--frames 3 --boxes 1 --interpolation weight --stats " + stats.string()), 0)
+      << err_;
+  EXPECT_EQ(out_, "");
+  const Image picture = readImage(folder_ / "picture.exr");
+  EXPECT_EQ(picture.width, 40u);
+  EXPECT_EQ(picture.height, 30u);
+  EXPECT_EQ(picture.channels, 4u);
+  const auto json = nlohmann::json::parse(contents(stats));
+  EXPECT_EQ(json["visible_texels"], 64);
+  EXPECT_EQ(json["boxes_evaluated"], 128);
+  EXPECT_GT(json["pages"], 1);
+  EXPECT_EQ(json["frames"], 3);
+  EXPECT_EQ(json["gpu"]["passes"].size(), 7u);
+}
+
+TEST_F(CommandLineTest, SameSettingsSameBytes) {
+  ASSERT_EQ(run(usual("a.exr") + "-t 1"), 0) << err_;
+  ASSERT_EQ(run(usual("b.exr") + "-t 2"), 0) << err_;
+  EXPECT_EQ(contents(folder_ / "a.exr"), contents(folder_ / "b.exr"));
+}
+
+TEST_F(CommandLineTest, ABackgroundMakesAPngOpaque) {
+  ASSERT_EQ(run(usual("a.png")), 0) << err_;
+  ASSERT_EQ(run(usual("b.png") + "--background off"), 0) << err_;
+  EXPECT_EQ(alphaAt(readImage(folder_ / "a.png"), 0, 0), 1.0f);
+  EXPECT_EQ(alphaAt(readImage(folder_ / "b.png"), 0, 0), 0.0f);
+}
+
+TEST_F(CommandLineTest, UsageErrors) {
+  EXPECT_EQ(run(""), 1);
+  EXPECT_EQ(run(asset_.string()), 1);
+  EXPECT_NE(err_.find("--headless"), std::string::npos);
+  EXPECT_EQ(run(asset_.string() + " --headless"), 1);
+  EXPECT_EQ(run(usual("picture.jpg")), 1);
+  EXPECT_EQ(run(usual("picture.exr") + "--interpolation cubic"), 1);
+  EXPECT_EQ(run(usual("picture.exr") + "--size 0x7"), 1);
+  EXPECT_EQ(run(usual("picture.exr") + "--nonsense"), 1);
+}
+
+TEST_F(CommandLineTest, InputErrors) {
+  EXPECT_EQ(run("nothing.ptb --headless --env " + light_.string() + " -o x.exr"), 2);
+  EXPECT_NE(err_.find("nothing.ptb"), std::string::npos);
+  EXPECT_EQ(run(asset_.string() + " --headless --env nothing.exr -o x.exr"), 2);
+  std::filesystem::resize_file(asset_, std::filesystem::file_size(asset_) / 2);
+  EXPECT_EQ(run(usual("picture.exr")), 3);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "picture.exr"));
+}
+
+TEST_F(CommandLineTest, DeviceErrors) {
+  EXPECT_EQ(run(usual("picture.exr") + "--device no-such-gpu"), 4);
+  EXPECT_NE(err_.find("no-such-gpu"), std::string::npos);
+  EXPECT_EQ(run(usual("picture.exr") + "--device 99"), 4);
+}
+
+TEST_F(CommandLineTest, ListsDevices) {
+  ASSERT_EQ(run("--list-devices"), 0);
+  EXPECT_EQ(out_.substr(0, 3), "0: ");
+  ASSERT_EQ(run("--list-devices --json"), 0);
+  EXPECT_GE(nlohmann::json::parse(out_).size(), 1u);
+}
+
+}  // namespace
+}  // namespace boxlight

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Equation 3 on the device against relight() in double precision, record by record.
+#include <cmath>
+#include <random>
+
+#include "common/base/error.h"
+#include "common/light/light_domain.h"
+#include "common/light/light_map.h"
+#include "common/light/relight.h"
+#include "runtime/light/fixed_point.h"
+#include "tests/runtime/synthetic.h"
+
+namespace boxlight {
+namespace {
+
+constexpr double kOracleTolerance = 1e-4;  // relative, of a record's radiance
+constexpr double kRoundedUnits =
+    2;  // of the light table, in the integral over a box: four prefixes, half a unit each
+
+Image environmentWithSun(float sun) {
+  Image map = makeImage(512, 256, 3);
+  std::mt19937 random(11);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  for (float& value : map.pixels) value = uniform(random) * uniform(random);
+  for (int c = 0; c < 3; ++c) map.at(400, 60)[c] = sun;
+  return map;
+}
+
+/// Sizes from less than a texel to the whole sphere, a third of them across the seam, at a pole or a full
+/// ring.
+Box randomBox(uint32_t stream, uint32_t record, uint32_t slot) {
+  std::mt19937 random(stream * 7919u + record * 104729u + slot);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  Box box;
+  box.du = std::pow(2.0f, -12.0f * uniform(random));
+  box.dv = std::pow(2.0f, -12.0f * uniform(random));
+  box.u0 = uniform(random);
+  box.v0 = uniform(random) * (1.0f - box.dv);
+  switch (random() % 12) {
+    case 0:
+      box.du = 1.0f, box.u0 = 0.0f;
+      break;
+    case 1:
+      box.v0 = 0.0f;
+      break;
+    case 2:
+      box.v0 = 1.0f - box.dv;
+      break;
+    case 3:
+      box.u0 = 1.0f - 0.5f * box.du;
+      break;
+    default:
+      break;
+  }
+  if (random() % 16 != 0)
+    box.energy = Rgb(uniform(random), uniform(random), uniform(random)) / float(slot + 1);
+  return box;
+}
+
+/// The same slot of neighbouring views: a common box, slightly moved by each view.
+Box matchedBox(uint32_t stream, uint32_t record, uint32_t slot) {
+  const Box common = randomBox(0, record, slot), other = randomBox(stream, record, slot);
+  Box box = common;
+  box.u0 = common.u0 + 0.2f * (other.u0 - 0.5f);
+  box.u0 -= std::floor(box.u0);
+  box.dv = std::clamp(0.8f * common.dv + 0.2f * other.dv, 0.0f, 1.0f - box.v0);
+  box.energy = 0.5f * (common.energy + other.energy);
+  return box;
+}
+
+class OracleTest : public GpuTest {
+ protected:
+  void SetUp() override {
+    GpuTest::SetUp();
+    settings_.camera = cameraAbove(64);
+  }
+
+  /// Returns the number of records compared.
+  size_t compare(const asset::AssetReader& reader, const Image& environment) {
+    gpu::FrameRenderer renderer(*device_, reader, environment, settings_);
+    const SummedArea lights(makeLightMap(environment, settings_.lightSize));
+    const double offset = environmentOffset(settings_.environmentDegrees);
+    const auto shaded = renderer.readShaded();
+    const auto visible = renderer.readVisible();
+    const double unit = gpu::chooseFixedPoint(makeLightMap(environment, settings_.lightSize)).unit;
+    Relighter relighter(reader);
+    double worst = 0;
+    for (const uint32_t r : visible) {
+      const TexelRadiance exact = relighter.relight(r, settings_.camera.eye, lights, offset,
+                                                    settings_.interpolation, settings_.boxLimit);
+      worst =
+          std::max(worst, error(shaded[2 * r], exact.diffuse, rounding(relighter, reader.asset(), r, unit)));
+      if (reader.asset().tiles.front().glossyBoxes > 0)
+        worst = std::max(worst, error(shaded[2 * r + 1], exact.glossy));
+    }
+    EXPECT_LT(worst, kOracleTolerance);
+    RecordProperty("worst", std::to_string(worst));
+    std::printf("worst relative difference %.2g over %zu records\n", worst, visible.size());
+    return visible.size();
+  }
+
+  /// Relative, above what the rounding of the light table may do.
+  static double error(vec4 device, dvec3 exact, double rounding = 0) {
+    const double difference = glm::length(dvec3(vec3(device)) - exact);
+    return std::max(difference - rounding, 0.0) / std::max(glm::length(exact), 1e-6);
+  }
+
+  /// Next to a bright sun a unit of the table is much to a dark texel at a pole.
+  static double rounding(Relighter& relighter, const asset::Asset& asset, uint32_t record, double unit) {
+    double sum = 0;
+    for (const PackedBox& packed : relighter.kernel(asset.diffuseStream(), record))
+      sum += glm::length(dvec3(unpackBox(packed).weight())) * kRoundedUnits * unit;
+    return sum;
+  }
+
+  gpu::FrameSettings settings_;
+};
+
+TEST_F(OracleTest, BoxesOfEverySizeAndPlace) {
+  Square square;
+  square.atlasEdge = 48;
+  const auto reader = square.write(file("boxes.ptb"), randomBox);
+  EXPECT_EQ(compare(reader, environmentWithSun(1.0f)), 48u * 48u);
+}
+
+TEST_F(OracleTest, ASunOfAMillion) {
+  Square square;
+  square.atlasEdge = 48;
+  const auto reader = square.write(file("sun.ptb"), randomBox);
+  EXPECT_EQ(compare(reader, environmentWithSun(1e6f)), 48u * 48u);
+}
+
+TEST_F(OracleTest, InterpolatesViews) {
+  Square square;
+  square.atlasEdge = 20;
+  square.glossyBoxes = 4;
+  square.diffuseBoxes = 3;
+  const auto reader = square.write(file("views.ptb"), matchedBox);
+  settings_.camera.eye = {0.3f, 1.5f, 0.7f};  // many view directions at once
+  settings_.camera.tanHalfFov = 1.5f;
+  for (const Interpolation interpolation : {Interpolation::energy, Interpolation::weight}) {
+    settings_.interpolation = interpolation;
+    EXPECT_EQ(compare(reader, environmentWithSun(100.0f)), 20u * 20u);
+  }
+}
+
+TEST_F(OracleTest, TurnsTheLightAndLimitsTheBoxes) {
+  Square square;
+  square.atlasEdge = 16;
+  square.glossyBoxes = 5;
+  square.diffuseBoxes = 5;
+  const auto reader = square.write(file("limits.ptb"), matchedBox);
+  settings_.environmentDegrees = 123.4f;
+  settings_.boxLimit = 3;
+  settings_.lightSize = {100, 37};
+  EXPECT_EQ(compare(reader, environmentWithSun(10.0f)), 16u * 16u);
+}
+
+TEST_F(OracleTest, PoolsMakeNoDifference) {
+  Square square;
+  square.atlasEdge = 16;
+  square.glossyBoxes = 3;
+  const auto reader = square.write(file("pools.ptb"), matchedBox);
+  settings_.camera.eye = {0.3f, 1.5f, 0.7f};
+  settings_.camera.tanHalfFov = 1.5f;
+  const Image light = environmentWithSun(1.0f);
+  gpu::FrameRenderer one(*device_, reader, light, settings_);
+  settings_.poolBytes = one.counts().pageBytes / 3;
+  gpu::FrameRenderer several(*device_, reader, light, settings_);
+  EXPECT_EQ(several.counts().pageBytes, one.counts().pageBytes);
+  EXPECT_EQ(several.picture().pixels, one.picture().pixels);
+  settings_.poolBytes = one.counts().pageBytes / 8;
+  try {
+    gpu::FrameRenderer tooMany(*device_, reader, light, settings_);
+    FAIL() << "eight pools";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::runtime);
+  }
+}
+
+TEST_F(OracleTest, KernelsThatAreNotThere) {
+  Square square;
+  square.atlasEdge = 16;
+  square.glossyBoxes = 2;
+  square.twoSided = true;
+  square.material.flags = asset::kDoubleSided;
+  const auto reader = square.write(file("sides.ptb"), matchedBox);  // each view lacks those of one side
+  settings_.camera.eye = {0, -2, 0.01f};
+  settings_.camera.forward = {0, 1, 0};
+  settings_.camera.right = {-1, 0, 0};
+  settings_.camera.tanHalfFov = 1.0f;
+  EXPECT_EQ(compare(reader, environmentWithSun(1.0f)), 16u * 16u);
+}
+
+TEST_F(OracleTest, ConstantLightIsExactWhateverTheBox) {
+  Square square;
+  square.atlasEdge = 48;
+  const auto reader = square.write(file("constant.ptb"), randomBox);
+  gpu::FrameRenderer renderer(*device_, reader, constantEnvironment({64, 32}, Rgb(1, 2, 3)), settings_);
+  const auto shaded = renderer.readShaded();
+  const auto visible = renderer.readVisible();
+  EXPECT_EQ(visible.size(), reader.asset().records.size());
+  double worst = 0;
+  for (const uint32_t r : visible) {
+    const Rgb energy = unpackBox(packBox(randomBox(reader.asset().diffuseStream(), r, 0))).energy;
+    worst = std::max(worst, error(shaded[2 * r], dvec3(energy) * dvec3(1, 2, 3)));
+  }
+  // Four prefixes rounded to half a unit of 2^-41 of the total, against a texel at the pole of 2^-24 of it.
+  EXPECT_LT(worst, 2e-5);
+  std::printf("worst relative difference %.2g\n", worst);
+}
+
+}  // namespace
+}  // namespace boxlight
