@@ -16,7 +16,7 @@ endif()
 add_library(boxlight_options INTERFACE)
 target_include_directories(boxlight_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(boxlight_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wno-missing-field-initializers
-  -Wno-restrict  # false in libstdc++'s std::string of GCC 12 (GCC bug 105651)
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>  # false in libstdc++'s std::string of GCC 12 (GCC bug 105651)
   -Werror -ffp-contract=off)   # no contraction: the same bytes from every x86-64 build of the same compiler
 if(BOXLIGHT_SANITIZE)
   target_compile_options(boxlight_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)

@@ -116,7 +116,9 @@ void addBakeCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--views", o->views, "View directions")
       ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))
       ->capture_default_str();
-  command->add_option("--boxes", o->boxes, "Boxes per glossy kernel; the Lambert kernel has twice as many")
+  command
+      ->add_option("--boxes", o->boxes,
+                   "Boxes per glossy kernel; the Lambert kernel has four times as many, up to 64")
       ->check(CLI::Range(1, 64))
       ->option_text("J");
   command->add_option("--paths", o->paths, "Paths per glossy kernel; the Lambert kernel has 16 times as many")

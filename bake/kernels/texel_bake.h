@@ -19,7 +19,7 @@ struct KernelOptions {
 
   /// The Lambert kernel is stored once where glossy ones are stored per view: it can afford more of both.
   uint32_t lambertPaths() const { return 16 * paths; }
-  uint32_t lambertBoxes() const { return std::min(2 * boxes, 64u); }
+  uint32_t lambertBoxes() const { return std::min(4 * boxes, 64u); }
 };
 
 /// The kernels of one record as they will stand in the pages: an empty list where the record has none.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <ranges>
 #include <set>
 #include <span>
 
@@ -112,16 +111,18 @@ class SceneBuilder {
     const std::string path = file_.path.string();
     if (!notSurfaces_.empty()) {
       constexpr size_t kNamed = 8;
-      std::string names;
-      for (const auto& [mesh, primitive] : notSurfaces_ | std::views::take(kNamed)) {
-        names += (names.empty() ? "" : ", ") + primitivePlace(mesh, primitive);
+      std::vector<std::string> names;
+      for (const auto& [mesh, primitive] : notSurfaces_) {
+        if (names.size() < kNamed) names.push_back(primitivePlace(mesh, primitive));
       }
-      if (notSurfaces_.size() > kNamed) names += fmt::format(" and {} more", notSurfaces_.size() - kNamed);
-      log().warn("{}: {}: points, lines or without POSITION; skipped", path, names);
+      const size_t more = notSurfaces_.size() - names.size();
+      log().warn("{}: {}{}: points, lines or without POSITION; skipped", path, fmt::join(names, ", "),
+                 more > 0 ? fmt::format(" and {} more", more) : "");
     }
     if (droppedTriangles_ > 0) log().debug("{}: {} triangles without area dropped", path, droppedTriangles_);
-    if (replacedNormals_ > 0)
+    if (replacedNormals_ > 0) {
       log().warn("{}: {} normals of zero length replaced by the face's", path, replacedNormals_);
+    }
   }
 
   void finish() {

@@ -14,7 +14,7 @@ std::string placeOf(int node) { return fmt::format("nodes[{}]", node); }
 glm::dmat4 readMatrix(const GltfDocument& file, int node, const std::vector<double>& values) {
   glm::dmat4 matrix;
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 4; ++row) matrix[column][row] = values[size_t(column * 4 + row)];
+    for (int row = 0; row < 4; ++row) matrix[column][row] = values[size_t(column) * 4 + size_t(row)];
   }
   if (matrix[0][3] != 0 || matrix[1][3] != 0 || matrix[2][3] != 0 || matrix[3][3] != 1) {
     failAt(ExitCode::invalidInput, file.path, placeOf(node) + ".matrix",

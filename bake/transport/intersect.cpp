@@ -2,6 +2,7 @@
 #include "bake/transport/intersect.h"
 
 #include <embree3/rtcore.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 #include <cstring>
@@ -74,9 +75,8 @@ RTCRay makeRay(const Ray& ray) {
 }  // namespace
 
 Intersector::Intersector(const Scene& scene) : impl_(std::make_unique<Impl>(scene)) {
-  // One instruction set and a serial build: the hits do not depend on the processor's newest extension or on
-  // the threads.
-  impl_->device = rtcNewDevice("threads=1,max_isa=avx2");
+  // One instruction set: hits do not depend on the processor's newest extension.
+  impl_->device = rtcNewDevice("max_isa=avx2");
   if (!impl_->device)
     fail(ExitCode::runtime, "Embree cannot start (error {})", int(rtcGetDeviceError(nullptr)));
   impl_->world = rtcNewScene(impl_->device);
@@ -85,7 +85,13 @@ Intersector::Intersector(const Scene& scene) : impl_(std::make_unique<Impl>(scen
   RTCGeometry geometry = makeGeometry(impl_->device, scene);
   rtcAttachGeometry(impl_->world, geometry);
   rtcReleaseGeometry(geometry);
-  rtcCommitScene(impl_->world);
+  {
+    // A serial build gives the same hierarchy, and so the same hit where two triangles tie, whatever
+    // --threads says. (Embree's own option threads=1 would limit every later loop of the program to one
+    // thread.)
+    const tbb::global_control serial(tbb::global_control::max_allowed_parallelism, 1);
+    rtcCommitScene(impl_->world);
+  }
   if (rtcGetDeviceError(impl_->device) != RTC_ERROR_NONE)
     fail(ExitCode::runtime, "{}: Embree cannot build its hierarchy", scene.path.string());
 }

@@ -112,7 +112,7 @@ TEST(TexelBake, StoresWhatTheMaterialAsksFor) {
     ASSERT_EQ(plans.size(), 1u);
     TexelBaker baker(world, texel.map, sphere, {.paths = 64, .boxes = 4});
     const RecordKernels kernels = baker.bake(plans[0]);
-    EXPECT_EQ(kernels.lambert.size(), glossy ? 0u : 8u);
+    EXPECT_EQ(kernels.lambert.size(), glossy ? 0u : 16u);
     ASSERT_EQ(kernels.glossy.size(), glossy ? 92u : 0u);
     size_t stored = 0;
     for (const auto& view : kernels.glossy) {
