@@ -11,6 +11,7 @@
 #include "bake/scene/gltf_load.h"
 #include "common/asset/asset_writer.h"
 #include "common/base/error.h"
+#include "common/base/file.h"
 #include "common/base/log.h"
 
 namespace boxlight {
@@ -76,6 +77,7 @@ void announce(const BakeCost& cost) {
 
 void bake(BakeOptions options, const CommonOptions& common) {
   applyPreset(options);
+  checkOutput(options.output, {options.scene});
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     size_t(resolveThreads(common.threads)));
   Scene scene = loadGltf(options.scene);
@@ -95,6 +97,7 @@ void bake(BakeOptions options, const CommonOptions& common) {
   baked.asset.provenance = provenance(options, scene);
   const size_t tileCount = baked.asset.tiles.size();
   asset::writeAsset(options.output, baked.asset, [&](uint32_t stream, uint32_t tile) {
+    throwIfInterrupted("interrupted: no asset was written; run the same command again");
     return std::span<const PackedBox>(baked.pages[stream * tileCount + tile]);
   });
 }
@@ -121,14 +124,16 @@ void addBakeCommand(CLI::App& app, CommonOptions& common) {
                    "Boxes per glossy kernel; the Lambert kernel has four times as many, up to 64")
       ->check(CLI::Range(1, 64))
       ->option_text("J");
-  command->add_option("--paths", o->paths, "Paths per glossy kernel; the Lambert kernel has 16 times as many")
+  command->add_option("--paths", o->paths, "Paths per glossy kernel; the Lambert kernel has 64 times as many")
       ->check(CLI::Range(1, 1 << 24))
       ->option_text("N");
   command
       ->add_option("--bounces", o->bounces,
                    "Surface interactions of a path at most; 0 = no limit but Russian roulette")
       ->capture_default_str();
-  command->add_option("--seed", o->seed, "Seed of the random numbers")->capture_default_str();
+  command->add_option("--seed", o->seed, "Seed of the random numbers")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command->callback([o, &common] { bake(*o, common); });
 }
 

@@ -7,6 +7,7 @@
 
 #include "bake/scene/gltf_load.h"
 #include "bake/transport/reference.h"
+#include "common/base/file.h"
 #include "common/base/log.h"
 #include "common/image/camera.h"
 #include "common/light/environment.h"
@@ -28,7 +29,8 @@ void writePicture(const std::filesystem::path& path, const Image& image, float e
 
 void render(RenderOptions options, const CommonOptions& common) {
   checkImageExtension(options.output);
-  if (!options.variance.empty()) checkImageExtension(options.variance);
+  checkOutput(options.output, {options.scene, options.environment, options.variance});
+  if (!options.variance.empty()) checkOutput(options.variance, {options.scene, options.environment});
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     resolveThreads(common.threads));
   const Scene scene = loadGltf(options.scene);
@@ -61,6 +63,9 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
       ->required()
       ->option_text("FILE");
   command->add_option("--variance", options->variance, "Also write the variance of every pixel's mean, .exr")
+      ->check([](const std::string& file) {
+        return std::filesystem::path(file).extension() == ".exr" ? "" : "must end in .exr";
+      })
       ->option_text("FILE");
   addCameraOptions(*command, options->camera);
   command->add_option("--spp", options->reference.samplesPerPixel, "Paths per pixel")
@@ -70,11 +75,16 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
       ->add_option("--bounces", options->bounces,
                    "Surface interactions of a path at most; 0 = no limit but Russian roulette")
       ->capture_default_str();
-  command->add_option("--seed", options->reference.seed, "Seed of the random numbers")->capture_default_str();
+  command->add_option("--seed", options->reference.seed, "Seed of the random numbers")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
   command
       ->add_option("--env-rotation", options->rotation, "Degrees about +Y, counter-clockwise seen from above")
+      ->check(inRange(-1e6, 1e6))
       ->option_text("DEG");
-  command->add_option("--exposure", options->exposure, "Stops, of a PNG")->option_text("EV");
+  command->add_option("--exposure", options->exposure, "Stops, of a PNG")
+      ->check(inRange(-100, 100))
+      ->option_text("EV");
   addOnOff(*command, "--background", options->reference.background,
            "Draw the environment behind the object: on or off");
   command->callback([options, &common] { render(*options, common); });

@@ -18,7 +18,7 @@ struct KernelOptions {
   uint64_t seed = 0;
 
   /// The Lambert kernel is stored once where glossy ones are stored per view: it can afford more of both.
-  uint32_t lambertPaths() const { return 16 * paths; }
+  uint32_t lambertPaths() const { return 64 * paths; }
   uint32_t lambertBoxes() const { return std::min(4 * boxes, 64u); }
 };
 

@@ -8,8 +8,10 @@
 namespace boxlight {
 namespace {
 
-constexpr int kRaster = 2048;          // samples per side
-constexpr double kRoundOff = 1e-3;     // overlap that exporters' rounding along shared edges explains
+constexpr int kRaster = 2048;       // samples per side
+constexpr double kRoundOff = 1e-3;  // overlap that exporters' rounding along shared edges explains
+constexpr uint64_t kMinimumSamples =
+    1024;  // with fewer covered, nothing is known about overlap: under .03 % of the square
 constexpr float kInsideSlack = 1e-5f;  // of the unit square's border
 
 using i64 = int64_t;
@@ -51,7 +53,7 @@ double surfaceArea(const Scene& scene, const asset::Triangle& triangle) {
     const float* q = scene.vertices[triangle.vertex[k]].position;
     p[k] = {q[0], q[1], q[2]};
   }
-  return 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+  return 0.5 * glm::length(glm::cross(dvec3(p[1]) - dvec3(p[0]), dvec3(p[2]) - dvec3(p[0])));
 }
 
 bool isInside(const float uv[2]) {
@@ -65,12 +67,16 @@ std::string describe(const Scene& scene, uint32_t set) {
   if (!report.inside) return fmt::format("TEXCOORD_{} leaves [0,1]", set);
   if (report.overlap > kRoundOff)
     return fmt::format("TEXCOORD_{} overlaps itself on {:.1f} % of its area", set, 100 * report.overlap);
+  if (report.samples < kMinimumSamples)
+    return fmt::format("TEXCOORD_{} covers less than .03 % of the unit square", set);
   return fmt::format("TEXCOORD_{} has no area for {:.1f} % of the surface", set, 100 * report.collapsed);
 }
 
 }  // namespace
 
-bool UvSetReport::usable() const { return inside && overlap <= kRoundOff && collapsed <= kRoundOff; }
+bool UvSetReport::usable() const {
+  return inside && samples >= kMinimumSamples && overlap <= kRoundOff && collapsed <= kRoundOff;
+}
 
 UvSetReport inspectUvSet(const Scene& scene, uint32_t set) {
   UvSetReport report;
@@ -95,6 +101,7 @@ UvSetReport inspectUvSet(const Scene& scene, uint32_t set) {
       count = uint8_t(std::min(count + 1, 2));
     });
   }
+  report.samples = once;
   report.overlap = once ? double(again) / double(once) : 0.0;
   report.collapsed = total > 0 ? collapsed / total : 1.0;
   return report;

@@ -12,6 +12,7 @@ struct UvSetReport {
   bool inside = true;
   double overlap = 0;  ///< covered samples that are covered more than once, as a fraction of the covered ones
   double collapsed = 0;  ///< surface area whose triangles have no UV area, as a fraction of the whole surface
+  uint64_t samples = 0;  ///< covered, of 2048 x 2048
   bool usable() const;
 };
 

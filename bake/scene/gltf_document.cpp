@@ -19,7 +19,7 @@ namespace {
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
 
-// KHR_mesh_quantization only widens the component types of attributes (gltf_mesh.cpp).
+// KHR_mesh_quantization only widens the component types of attributes (gltf_primitive.cpp).
 constexpr std::string_view kSupportedExtensions[] = {"KHR_materials_specular", "KHR_mesh_quantization"};
 
 void checkVersion(const fs::path& path, const Json& json) {

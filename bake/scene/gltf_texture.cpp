@@ -69,6 +69,10 @@ const GltfTextures::Image& GltfTextures::decode(int index) {
   if (!isNew) return it->second;
   const std::string place = fmt::format("images[{}]", index);
   const tinygltf::Image image = decodeImage(file_, place, index);
+  if (uint32_t(std::max(image.width, image.height)) > asset::kMaxTextureSize) {
+    failAt(ExitCode::unsupported, file_.path, place, "{}x{} pixels are too many; at most {} a side",
+           image.width, image.height, asset::kMaxTextureSize);
+  }
   const size_t count = image.image.size() / 4, first = scene_.texels.size();
   if (first + count >= std::numeric_limits<uint32_t>::max()) {
     failAt(ExitCode::unsupported, file_.path, place,

@@ -58,7 +58,8 @@ class Cutter {
       corners[k] = {vec2(vertex.atlasUv[0], vertex.atlasUv[1]) * vec2(size_), vec2(k == 1, k == 2)};
       p[k] = {vertex.position[0], vertex.position[1], vertex.position[2]};
     }
-    const float worldArea = 0.5f * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+    const auto worldArea =
+        float(0.5 * glm::length(glm::cross(dvec3(p[1]) - dvec3(p[0]), dvec3(p[2]) - dvec3(p[0]))));
     const auto low = glm::min(corners[0].atlas, glm::min(corners[1].atlas, corners[2].atlas));
     const auto high = glm::max(corners[0].atlas, glm::max(corners[1].atlas, corners[2].atlas));
     const uvec2 first = uvec2(low), last = glm::min(uvec2(high), size_ - 1u);
@@ -77,7 +78,7 @@ class Cutter {
     clip(polygon_, scratch_, 1, float(y), 1);
     clip(polygon_, scratch_, 1, float(y + 1), -1);
     // What rounding leaves of a triangle that only touches the texel's side is no surface of the texel.
-    if (atlasArea(polygon_) < kSliver * std::min(1.0f, atlasArea(corners))) return;
+    if (atlasArea(polygon_) <= kSliver * std::min(1.0f, atlasArea(corners))) return;
     for (size_t i = 2; i < polygon_.size(); ++i) {
       const vec2 a = polygon_[0].barycentric, b = polygon_[i - 1].barycentric, c = polygon_[i].barycentric;
       // Barycentric coordinates are affine: areas on the triangle are its area times twice theirs.
@@ -113,6 +114,18 @@ void gather(TexelMap& map, std::vector<Piece>& pieces) {
   }
 }
 
+/// Has the texel any point that its mask does not cut away? Looked for on a grid of points.
+bool hasSurface(const Scene& scene, std::span<const FootprintPiece> footprint) {
+  constexpr int kGrid = 16;
+  for (int i = 0; i < kGrid * kGrid; ++i) {
+    const SurfacePoint point = sampleFootprint(footprint, (vec2(i % kGrid, i / kGrid) + 0.5f) / float(kGrid));
+    const asset::Material& material = scene.materials[scene.triangles[point.triangle].material];
+    if (!(material.flags & asset::kAlphaMask) || sampleAlpha(scene, point) >= material.alphaCutoff)
+      return true;
+  }
+  return false;
+}
+
 void dilate(TexelMap& map) {
   map.nearest.assign(size_t(map.width) * map.height, asset::kNone);
   std::vector<int> distance(map.nearest.size(), kGutterTexels * kGutterTexels + 1);
@@ -140,6 +153,8 @@ TexelMap makeTexels(const Scene& scene, uint32_t width, uint32_t height) {
   map.width = width;
   map.height = height;
   gather(map, cutter.pieces);
+  // A texel that a mask cuts away whole is gutter: its neighbours' light belongs there, not darkness.
+  std::erase_if(map.texels, [&](const Texel& texel) { return !hasSurface(scene, map.footprint(texel)); });
   dilate(map);
   return map;
 }

@@ -70,9 +70,11 @@ uint32_t PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const Stream
     Sampler sampler(key, path);
     SurfacePoint point;
     if (!startPoint(origin, sampler, point)) continue;
-    ++traced;
     const SurfaceView surface = viewSurfaceSide(world_.scene(), point, wo, origin.back);
     const Bsdf bsdf(surface.material);
+    if (!bsdf.hasGlossy())
+      continue;  // another material's part of the texel: its pixels do not ask for this kernel
+    ++traced;
     const vec3 local = surface.toLocal(wo);
     Rgb weight;
     const vec3 direction = surface.toWorld(bsdf.sampleGlossy(local, sampler.next2(), weight));

@@ -28,7 +28,7 @@ class PathTracer {
 
   /// Lambert kernel: cosine-distributed first directions of throughput 1, without albedo and Fresnel factor.
   /// Appends the deposits and returns the number of paths, `pathCount` less those that found no surface
-  /// (MASK).
+  /// (MASK, or no gloss).
   uint32_t traceLambert(const PathOrigin& origin, const StreamKey& key, uint32_t pathCount,
                         std::vector<Deposit>& deposits) const;
 

@@ -44,7 +44,7 @@ struct LoadedAsset {
   ChunkSet present;
 };
 
-/// Reads every chunk but the pages. Values are as in the file: checkContents (asset_checks.h) looks at them.
+/// Reads every chunk but the pages. Values are as in the file: checkTables (asset_checks.h) looks at them.
 LoadedAsset loadAsset(const ChunkFile& file, const Reporter& report);
 
 }  // namespace boxlight::asset

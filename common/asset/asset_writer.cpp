@@ -130,7 +130,8 @@ std::vector<PageEntry> writePages(ChunkWriter& writer, const Asset& asset, const
 void writeAsset(const std::filesystem::path& path, const Asset& asset, const PageSource& page) {
   const Reporter report = refusal(path);
   checkTables(asset, allTables(asset), report);
-  const std::string provenance = asset.provenance.dump();
+  const std::string provenance =
+      asset.provenance.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   if (!asset.provenance.is_object() || provenance.size() > kMaxProvenanceSize)
     report(FindingCode::provenance, chunk::kProvenance, "", "{} bytes of {}", provenance.size(),
            asset.provenance.type_name());

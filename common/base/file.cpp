@@ -29,7 +29,8 @@ void syncFolder(const std::filesystem::path& path) {
 }  // namespace
 
 std::vector<std::byte> readFile(const std::filesystem::path& path) {
-  if (std::filesystem::is_directory(path))
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored))
     fail(ExitCode::io, "{}: cannot read: it is a folder", path.string());
   errno = 0;
   std::ifstream file(path, std::ios::binary | std::ios::ate);
@@ -43,9 +44,11 @@ std::vector<std::byte> readFile(const std::filesystem::path& path) {
 }
 
 AtomicFile::AtomicFile(std::filesystem::path path) : path_(std::move(path)) {
-  // rename would find out too, but only when the work is done.
-  if (std::filesystem::is_directory(path_))
-    fail(ExitCode::io, "{}: cannot write: it is a folder", path_.string());
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(path_, ignored)) path_ = std::filesystem::weakly_canonical(path_, ignored);
+  // rename would find out too, or put a file in the place of a device, but only when the work is done.
+  if (std::filesystem::exists(path_, ignored) && !std::filesystem::is_regular_file(path_, ignored))
+    fail(ExitCode::io, "{}: cannot write: it is no regular file", path_.string());
   temporary_ = path_;
   temporary_.replace_filename(
       fmt::format(".{}.{}.tmp{}", path_.stem().string(), ::getpid(), path_.extension().string()));
@@ -77,9 +80,12 @@ void AtomicFile::writeAt(uint64_t offset, std::span<const std::byte> bytes) {
 void AtomicFile::commit() {
   // A library may have replaced the temporary file by name: sync what is there now.
   const int descriptor = ::open(temporary_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (descriptor < 0 || ::fsync(descriptor) != 0) failIo("sync", path_);
-  ::close(descriptor);
-  if (::close(std::exchange(descriptor_, -1)) != 0) failIo("close", path_);
+  const bool synced = descriptor >= 0 && ::fsync(descriptor) == 0;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!synced) failIo("sync", path_);
+  const bool closed = ::close(std::exchange(descriptor_, -1)) == 0;
+  if (!closed) ::unlink(temporary_.c_str());
+  if (!closed) failIo("close", path_);
   if (::rename(temporary_.c_str(), path_.c_str()) != 0) {
     const int reason = errno;
     ::unlink(temporary_.c_str());
@@ -93,6 +99,15 @@ void writeTextFile(const std::filesystem::path& path, std::string_view text) {
   AtomicFile file(path);
   file.write(std::as_bytes(std::span(text)));
   file.commit();
+}
+
+void checkOutput(const std::filesystem::path& output, std::initializer_list<std::filesystem::path> others) {
+  std::error_code ignored;
+  for (const std::filesystem::path& other : others)
+    if (other == output || std::filesystem::equivalent(output, other, ignored))
+      fail(ExitCode::usage, "{}: is both written and used otherwise; give the output a name of its own",
+           output.string());
+  const AtomicFile probe(output);
 }
 
 uint64_t xxh64(std::span<const std::byte> bytes, uint64_t seed) {

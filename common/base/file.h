@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,8 +15,9 @@ namespace boxlight {
 /// The whole file. Error: ExitCode::io with the path and the system's reason.
 std::vector<std::byte> readFile(const std::filesystem::path& path);
 
-/// Output that appears whole or not at all: bytes go to `<path>.<pid>.tmp`; commit() syncs it and renames it
-/// over `path`; without commit the destructor removes it. Every write is checked. Errors: ExitCode::io.
+/// Output that appears whole or not at all: bytes go to `.<stem>.<pid>.tmp<extension>` beside it; commit()
+/// syncs it and renames it over `path`; without commit the destructor removes it. Every write is checked.
+/// Errors: ExitCode::io.
 class AtomicFile {
  public:
   explicit AtomicFile(std::filesystem::path path);
@@ -37,6 +39,10 @@ class AtomicFile {
 };
 
 void writeTextFile(const std::filesystem::path& path, std::string_view text);  ///< by AtomicFile
+
+/// What a long task asks before it starts: can `output` be written, and is it none of `others` (inputs and
+/// other outputs)? Errors: ExitCode::io, ExitCode::usage.
+void checkOutput(const std::filesystem::path& output, std::initializer_list<std::filesystem::path> others);
 
 uint64_t xxh64(std::span<const std::byte> bytes, uint64_t seed = 0);
 

@@ -51,9 +51,9 @@ Camera makeCamera(const CameraOptions& options, vec3 boundsMin, vec3 boundsMax) 
   const float radius = 0.5f * glm::length(boundsMax - boundsMin);
   camera.eye =
       options.eye.value_or(target + framingDistance(radius, camera.tanHalfFov, options.size) * kDefaultSide);
-  const vec3 offset = target - camera.eye;
-  if (!(glm::length(offset) > 0.0f)) fail(ExitCode::usage, "--eye and --target must differ");
-  camera.forward = glm::normalize(offset);
+  const dvec3 offset = dvec3(target) - dvec3(camera.eye);  // double: squares of any float stay finite
+  if (!(glm::length(offset) > 0.0)) fail(ExitCode::usage, "--eye and --target must differ");
+  camera.forward = vec3(glm::normalize(offset));
   camera.right = glm::normalize(glm::cross(camera.forward, usableUp(options.up, camera.forward)));
   camera.up = glm::cross(camera.right, camera.forward);
   return camera;

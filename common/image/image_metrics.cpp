@@ -54,6 +54,14 @@ double trimmedSum(std::vector<double> squaredErrors) {
   return sum / double(kept);
 }
 
+double alphaRmse(const Image& image, const Image& reference) {
+  double squares = 0;
+  for (uint32_t y = 0; y < reference.height; ++y)
+    for (uint32_t x = 0; x < reference.width; ++x)
+      squares += std::pow(double(alphaAt(image, x, y)) - double(alphaAt(reference, x, y)), 2);
+  return std::sqrt(squares / (double(reference.width) * reference.height));
+}
+
 double sumOf(dvec3 v) { return v.x + v.y + v.z; }
 
 }  // namespace
@@ -84,6 +92,7 @@ ImageMetrics compareImages(const Image& image, const Image& reference) {
   m.trimmedRmse = std::sqrt(trimmedSum(std::move(pixelSquares)) / 3.0);
   m.rmse8 = std::sqrt(squares8 / count);
   m.psnr = 20.0 * std::log10(255.0 / m.rmse8);
+  m.alphaRmse = alphaRmse(image, reference);
   m.mean = sum / count;
   m.referenceMean = referenceSum / count;
   m.bias = referenceSum != 0.0 ? (sum - referenceSum) / referenceSum : (sum == 0.0 ? 0.0 : INFINITY);

@@ -17,6 +17,7 @@ struct ImageMetrics {
   double rmse8 = 0;  ///< rmse in 8-bit steps: both clamped to [0,1], sRGB-encoded, times 255 (not rounded)
   double psnr = 0;   ///< dB, 20 log10(255 / rmse8); infinite if equal
   double bias = 0;   ///< mean(x - r) / mean(r); 0 if both are black
+  double alphaRmse = 0;  ///< of coverage, over all pixels; an image without alpha covers everything
   double mean = 0, referenceMean = 0;
   uint64_t pixels = 0;     ///< measured
   uint64_t allPixels = 0;  ///< of the picture

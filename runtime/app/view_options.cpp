@@ -18,10 +18,10 @@ void addPictureOptions(CLI::App& app, ViewOptions& options) {
       ->option_text("FILE");
   app.add_option("--env-rotation", options.environmentDegrees,
                  "Turn the environment about +Y, in degrees counter-clockwise seen from above")
-      ->check(CLI::Range(-1e6, 1e6))
+      ->check(inRange(-1e6, 1e6))
       ->option_text("DEG");
   app.add_option("--exposure", options.exposure, "Of a PNG: radiance times 2^EV")
-      ->check(CLI::Range(-64.0, 64.0))
+      ->check(inRange(-100, 100))
       ->option_text("EV");
   app.add_option("--background", options.background,
                  "on: show the environment behind the object; off: transparent")

@@ -25,19 +25,13 @@ struct Folder {
   std::filesystem::path path;
 };
 
-void run(const std::string& program, const std::string& arguments) {
-  const std::string command = fmt::format("{}/{} {}", BOXLIGHT_BIN, program, arguments);
-  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
-}
-
 /// The file that `make` writes for `key`, made at the first call.
 std::string once(const std::string& key, const char* extension,
                  const std::function<void(const std::string&)>& make) {
-  static const Folder folder;
   static std::map<std::string, std::string> files;
   const auto [entry, isNew] = files.try_emplace(key);
   if (isNew) {
-    entry->second = (folder.path / fmt::format("{}{}", files.size(), extension)).string();
+    entry->second = file(fmt::format("{}{}", files.size(), extension));
     make(entry->second);
   }
   return entry->second;
@@ -45,32 +39,42 @@ std::string once(const std::string& key, const char* extension,
 
 }  // namespace
 
+std::string file(const std::string& name) {
+  static const Folder folder;
+  return (folder.path / name).string();
+}
+
+void run(const std::string& program, const std::string& arguments) {
+  const std::string command = fmt::format("{}/{} {}", BOXLIGHT_BIN, program, arguments);
+  if (std::system(command.c_str()) != 0) throw std::runtime_error("failed: " + command);
+}
+
 double tolerance(Way way) { return way == Way::truth ? 0.005 : 0.015; }
 const char* name(Way way) { return way == Way::truth ? "ptbake render" : "ptbake bake + ptview"; }
 
 Image picture(Way way, const Shot& shot) {
   const size_t space = shot.scene.find(' ');
-  const std::string scene = once("scene " + shot.scene, ".glb", [&](const std::string& file) {
-    run("boxlight_data", fmt::format("scene {} {} {}", shot.scene.substr(0, space), file,
+  const std::string scene = once("scene " + shot.scene, ".glb", [&](const std::string& made) {
+    run("boxlight_data", fmt::format("scene {} {} {}", shot.scene.substr(0, space), made,
                                      space == std::string::npos ? "" : shot.scene.substr(space)));
   });
   const std::string environment =
-      once("environment " + shot.environment, ".exr", [&](const std::string& file) {
-        run("boxlight_data", fmt::format("environment {} {}", shot.environment, file));
+      once("environment " + shot.environment, ".exr", [&](const std::string& made) {
+        run("boxlight_data", fmt::format("environment {} {}", shot.environment, made));
       });
   const std::string camera = shot.camera + " --background off";
   const std::string output = once(
       fmt::format("{} {} {} {}", name(way), shot.scene, shot.environment, camera), ".exr",
-      [&](const std::string& file) {
+      [&](const std::string& made) {
         if (way == Way::truth)
-          return run("ptbake", fmt::format("render {} --env {} -o {} {} {} -q", scene, environment, file,
+          return run("ptbake", fmt::format("render {} --env {} -o {} {} {} -q", scene, environment, made,
                                            camera, shot.renderOptions));
         const std::string asset =
             once("asset " + shot.scene + shot.bakeOptions, ".ptb", [&](const std::string& ptb) {
               run("ptbake", fmt::format("bake {} -o {} {} -q", scene, ptb, shot.bakeOptions));
             });
         run("ptview",
-            fmt::format("{} --headless --env {} -o {} {} --validation", asset, environment, file, camera));
+            fmt::format("{} --headless --env {} -o {} {} --validation", asset, environment, made, camera));
       });
   return readImage(output);
 }

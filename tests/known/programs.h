@@ -21,6 +21,11 @@ struct Shot {
   std::string renderOptions = "--spp 256";
 };
 
+/// Runs one of the built programs; throws if it does not end with 0.
+void run(const std::string& program, const std::string& arguments);
+/// A path in this process's temporary folder, which is removed at its end.
+std::string file(const std::string& name);
+
 /// Runs the programs as a user would and reads the picture they write, background off. Throws if a program
 /// fails.
 Image picture(Way way, const Shot& shot);

@@ -110,4 +110,13 @@ TEST(FalseColour, BrightnessRises) {
 }
 
 }  // namespace
+
+TEST(ImageMetrics, CoverageIsMeasuredOverAllPixels) {
+  Image reference = makeImage(4, 1, 4), image = makeImage(4, 1, 4);
+  reference.at(0, 0)[3] = image.at(0, 0)[3] = 1;
+  image.at(3, 0)[3] = 1;  // the reference is empty there
+  EXPECT_DOUBLE_EQ(compareImages(image, reference).rmse, 0);
+  EXPECT_DOUBLE_EQ(compareImages(image, reference).alphaRmse, 0.5);
+}
+
 }  // namespace boxlight

@@ -72,3 +72,29 @@ TEST(Texels, ComeInBlocksOfEight) {
   for (uint32_t i = 0; i < 64; ++i)
     EXPECT_TRUE(map.texels[64 + i].x / 8 == 1 && map.texels[64 + i].y / 8 == 0);
 }
+
+TEST(Texels, WhatAMaskCutsAwayWholeIsGutter) {
+  asset::Material material = test::lambert();
+  material.flags = asset::kAlphaMask;
+  material.alphaCutoff = 0.5f;
+  Scene scene = test::makeScene(material);
+  scene.materials.push_back(material);
+  scene.materials[1].baseColor[3] = 0.1f;
+  test::addQuad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, vec2(0), vec2(0.5f, 1), 0);
+  test::addQuad(scene, {1, 0, 0}, {1, 0, 0}, {0, 1, 0}, vec2(0.5f, 0), vec2(1), 1);
+  const TexelMap map = makeTexels(scene, 16, 16);
+  EXPECT_EQ(map.texels.size(), 128u);
+  EXPECT_EQ(map.texels[map.nearest[8]].x, 7u);  // the first texel of the cut half shows its uncut neighbour
+}
+
+TEST(Texels, SurvivesScalesWhoseSquaresLeaveTheRangeOfFloats) {
+  for (float scale : {1e-12f, 1e12f}) {
+    Scene scene = test::makeScene(test::lambert());
+    test::addQuad(scene, {0, 0, 0}, {scale, 0, 0}, {0, scale, 0});
+    const TexelMap map = makeTexels(scene, 2, 2);
+    ASSERT_EQ(map.texels.size(), 4u);
+    const float x =
+        surfaceFrame(scene, sampleFootprint(map.footprint(map.texels[0]), {0.3f, 0.6f})).position.x;
+    EXPECT_TRUE(x > 0 && x < 0.5f * scale) << x;
+  }
+}
