@@ -30,7 +30,7 @@ struct Preset {
 
 const std::map<std::string, Preset>& presets() {
   static const std::map<std::string, Preset> table = {
-      {"draft", {64, 8, 128}}, {"preview", {128, 8, 256}}, {"production", {256, 8, 512}}};
+      {"draft", {64, 8, 128}}, {"preview", {128, 8, 256}}, {"production", {256, 8, 256}}};
   return table;
 }
 

@@ -53,8 +53,7 @@ void addCommonOptions(CLI::App& command, CommonOptions& options) {
                                                               {"lines", ProgressStyle::lines},
                                                               {"json", ProgressStyle::json},
                                                               {"none", ProgressStyle::none}};
-  command.add_option("-t,--threads", options.threads, "Threads to use; 0 = all")
-      ->check(CLI::NonNegativeNumber);
+  command.add_option("-t,--threads", options.threads, "Threads to use; 0 = all")->check(inRange(0, 1024));
   auto* quiet = command.add_flag("-q,--quiet", options.quiet, "Only errors on stderr");
   command.add_flag("-v,--verbose", options.verbose, "Details on stderr")->excludes(quiet);
   command.add_option("--progress", options.progress, "auto, bar, lines, json or none")

@@ -32,7 +32,9 @@ void addPictureOptions(CLI::App& app, ViewOptions& options) {
 void addQualityOptions(CLI::App& app, ViewOptions& options) {
   static const std::map<std::string, Interpolation> interpolations = {{"energy", Interpolation::energy},
                                                                       {"weight", Interpolation::weight}};
-  app.add_option("--boxes", options.boxes, "Evaluate the first K boxes of each kernel (default: all)")
+  app.add_option("--boxes", options.boxes,
+                 "Evaluate the first K boxes of each kernel, the strongest; the energy of the others is left "
+                 "out (default: all)")
       ->check(CLI::Range(1, 65535))
       ->option_text("K");
   app.add_option(

@@ -16,7 +16,13 @@ constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
 template <class Action>
 auto withLoader(Action&& action) {
   try {
-    return translated("start", action);
+    return translated("start", [&] {
+      try {
+        return action();
+      } catch (const vk::IncompatibleDriverError&) {
+        fail(ExitCode::runtime, "no Vulkan driver; install one, for example mesa-vulkan-drivers");
+      }
+    });
   } catch (const Error&) {
     throw;
   } catch (const std::runtime_error& error) {  // from the dynamic loader

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "tests/runtime/synthetic.h"
+#include "tests/support/temporary_path.h"
 
 namespace boxlight {
 namespace {
@@ -44,7 +45,7 @@ class CommandLineTest : public testing::Test {
            (folder_ / output).string() + " ";
   }
 
-  std::filesystem::path folder_ = std::filesystem::path(testing::TempDir()) / "boxlight_ptview";
+  std::filesystem::path folder_ = test::temporaryPath("ptview");
   std::filesystem::path asset_ = folder_ / "square.ptb", light_ = folder_ / "axes.exr";
   std::string out_, err_;
 };

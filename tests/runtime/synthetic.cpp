@@ -4,6 +4,7 @@
 #include "common/asset/asset_writer.h"
 #include "common/light/light_domain.h"
 #include "common/light/view_sphere.h"
+#include "tests/support/temporary_path.h"
 
 namespace boxlight {
 namespace {
@@ -96,7 +97,7 @@ asset::AssetReader Square::write(const std::filesystem::path& path, const Kernel
 
 void GpuTest::SetUp() {
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  folder_ = std::filesystem::path(testing::TempDir()) / "boxlight_runtime" / info->name();
+  folder_ = test::temporaryPath(std::string("runtime-") + info->name());
   std::filesystem::create_directories(folder_);
   device_ = std::make_unique<gpu::Device>(gpu::DeviceOptions{"", true});
 }

@@ -5,6 +5,8 @@
 
 #include <filesystem>
 
+#include "tests/support/temporary_path.h"
+
 namespace boxlight {
 
 /// A test with an empty folder of its own, removed afterwards.
@@ -12,8 +14,7 @@ class FolderTest : public testing::Test {
  protected:
   void SetUp() override {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = std::filesystem::path(testing::TempDir()) /
-              (std::string("boxlight_") + info->test_suite_name() + "_" + info->name());
+    folder_ = test::temporaryPath(std::string(info->test_suite_name()) + "-" + info->name());
     std::filesystem::remove_all(folder_);
     std::filesystem::create_directories(folder_);
   }

@@ -11,6 +11,7 @@
 #include "bake/scene/gltf_load.h"
 #include "common/base/error.h"
 #include "common/base/file.h"
+#include "tests/support/temporary_path.h"
 
 namespace boxlight::data {
 namespace {
@@ -108,7 +109,7 @@ TEST_P(EveryScene, NormalsFaceAsTheTriangles) {
 
 /// The bake's own reader takes the file whole, and its own check accepts the atlas.
 TEST_P(EveryScene, LoadsWithAnAtlas) {
-  const auto path = std::filesystem::path(testing::TempDir()) / (GetParam() + "_load.glb");
+  const auto path = test::temporaryPath(GetParam() + "-load.glb");
   const Model model = makeScene(GetParam());
   writeGlb(path, model);
   Scene scene = loadGltf(path);
@@ -122,7 +123,7 @@ TEST_P(EveryScene, LoadsWithAnAtlas) {
 }
 
 TEST_P(EveryScene, SameBytesTwice) {
-  const auto path = std::filesystem::path(testing::TempDir()) / (GetParam() + ".glb");
+  const auto path = test::temporaryPath(GetParam() + ".glb");
   writeGlb(path, makeScene(GetParam()));
   const std::vector<std::byte> first = readFile(path);
   writeGlb(path, makeScene(GetParam()));
@@ -189,7 +190,7 @@ TEST(Scenes, ParametersReachTheMaterial) {
 
 /// What the header of a GLB and glTF's schema demand of what we write.
 TEST(Scenes, GlbIsWellFormed) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "well_formed.glb";
+  const auto path = test::temporaryPath("well-formed.glb");
   writeGlb(path, makeScene("textured_box"));
   const std::vector<std::byte> bytes = readFile(path);
   std::filesystem::remove(path);
