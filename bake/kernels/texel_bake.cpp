@@ -22,7 +22,7 @@ TexelBaker::TexelBaker(const Intersector& world, const TexelMap& map, const View
       sphere_(sphere),
       options_(options),
       tracer_(world, options.bounces),
-      lambertFitter_(FitOptions{.boxes = int(options.lambertBoxes())}),
+      lambertFitter_(FitOptions{.boxes = int(options.lambertBoxes()), .gridSize = 64}),
       glossyFitter_(FitOptions{.boxes = int(options.boxes)}) {
   key_.seed = options.seed;
 }

@@ -48,6 +48,8 @@ CLI::Option* addVec3To(CLI::App& command, const std::string& name, Target& value
 }  // namespace
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
+  if (const CLI::App* program = command.get_parent())
+    command.set_version_flag("--version", fmt::format("{} {}", program->get_name(), BOXLIGHT_VERSION));
   static const std::map<std::string, ProgressStyle> styles = {{"auto", ProgressStyle::automatic},
                                                               {"bar", ProgressStyle::bar},
                                                               {"lines", ProgressStyle::lines},

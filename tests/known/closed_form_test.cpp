@@ -77,5 +77,21 @@ TEST_P(ClosedForm, OneTexelSunGivesRhoECosOverPi) {
   EXPECT_NEAR(lit / (2.0 / 3.0), 1, 2 * tolerance(GetParam()));
 }
 
+// The same at one direction: a plane, where rho E cos / pi is the answer in every pixel.
+TEST_P(ClosedForm, OneTexelSunOnAPlane) {
+  const Image sun = data::makeEnvironment("texel_sun");
+  const double v0 = double(data::kLitTexel.y) / sun.height, v1 = double(data::kLitTexel.y + 1) / sun.height;
+  const double projected =
+      kPiDouble / sun.width * (std::pow(std::sin(kPiDouble * v1), 2) - std::pow(std::sin(kPiDouble * v0), 2));
+  const double expected = 0.5 * sun.at(data::kLitTexel.x, data::kLitTexel.y)[0] * projected / kPiDouble;
+  for (int degrees : {0, 130}) {
+    const Image image = picture(
+        GetParam(), {"plane --set albedo=0.5", "texel_sun",
+                     fmt::format("--size 48x48 --eye 1,3,1 --target 0,0,0 --env-rotation {}", degrees),
+                     "--atlas 4 --paths 256 --boxes 8", "--spp 64"});
+    EXPECT_NEAR(objectMean(image).x / expected, 1, tolerance(GetParam())) << "rotation " << degrees;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, ClosedForm, ::testing::Values(Way::truth, Way::baked),
                          [](const auto& way) { return way.param == Way::truth ? "truth" : "baked"; });
