@@ -37,6 +37,12 @@ const PageEntry& AssetReader::pageEntry(uint32_t stream, uint32_t tile) const {
   return impl_->loaded.pageIndex[size_t(stream) * asset().tiles.size() + tile];
 }
 
+void AssetReader::verifyPages() const {
+  for (uint32_t stream = 0; stream < asset().streamCount(); ++stream)
+    for (uint32_t tile = 0; tile < asset().tiles.size(); ++tile)
+      readStoredPage(impl_->file, impl_->loaded, stream, tile, impl_->report);
+}
+
 std::vector<PackedBox> AssetReader::page(uint32_t stream, uint32_t tile) const {
   assert(stream < asset().streamCount() && tile < asset().tiles.size());
   return readPage(impl_->file, impl_->loaded, stream, tile, impl_->report);

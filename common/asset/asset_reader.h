@@ -26,6 +26,10 @@ class AssetReader {
   const std::vector<ChunkEntry>& chunks() const;
   const PageEntry& pageEntry(uint32_t stream, uint32_t tile) const;
 
+  /// Reads every page and checks its hash, so that damage is found even where nobody looks. Errors as the
+  /// constructor's.
+  void verifyPages() const;
+
   /// Reads, verifies and decodes one page; empty if its mask is empty. Safe to call from several threads.
   std::vector<PackedBox> page(uint32_t stream, uint32_t tile) const;
 

@@ -7,19 +7,27 @@
 
 namespace boxlight::asset {
 
-std::vector<PackedBox> readPage(const ChunkFile& file, const LoadedAsset& loaded, uint32_t stream,
-                                uint32_t tile, const Reporter& report) {
-  const Asset& asset = loaded.asset;
-  const PageEntry& entry = loaded.pageIndex[size_t(stream) * asset.tiles.size() + tile];
+std::span<const std::byte> readStoredPage(const ChunkFile& file, const LoadedAsset& loaded, uint32_t stream,
+                                          uint32_t tile, const Reporter& report) {
+  const PageEntry& entry = loaded.pageIndex[size_t(stream) * loaded.asset.tiles.size() + tile];
   if (entry.storedSize == 0) return {};
   thread_local std::vector<std::byte> stored;
   stored.resize(entry.storedSize);
   file.readAt(file.find(chunk::kPages)->offset + entry.offset, stored);
-  const std::string place = pagePlace(asset, stream, tile);
   if (const uint64_t hash = xxh64(stored); hash != entry.hash) {
-    report(FindingCode::pageHash, chunk::kPages, place, "hash {:016x}, recorded {:016x}", hash, entry.hash);
+    report(FindingCode::pageHash, chunk::kPages, pagePlace(loaded.asset, stream, tile),
+           "hash {:016x}, recorded {:016x}", hash, entry.hash);
     return {};
   }
+  return stored;
+}
+
+std::vector<PackedBox> readPage(const ChunkFile& file, const LoadedAsset& loaded, uint32_t stream,
+                                uint32_t tile, const Reporter& report) {
+  const Asset& asset = loaded.asset;
+  const std::span<const std::byte> stored = readStoredPage(file, loaded, stream, tile, report);
+  if (stored.empty()) return {};
+  const std::string place = pagePlace(asset, stream, tile);
   std::vector<PackedBox> boxes(pageBoxCount(asset, stream, tile));
   if (!decompressFrame(stored, std::as_writable_bytes(std::span(boxes)))) {
     report(FindingCode::pageFrame, chunk::kPages, place, "not one zstd frame of {} bytes",

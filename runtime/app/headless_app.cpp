@@ -67,6 +67,8 @@ void printDevices(bool json) {
 
 void renderHeadless(const ViewOptions& options) {
   const asset::AssetReader reader(options.asset);
+  reader.verifyPages();  // a picture is either from a sound asset or not made; the camera needs only some of
+                         // the pages
   const Image environment = readEnvironment(options.environment);
   std::shared_ptr<const ValidationLog> validation;
   {

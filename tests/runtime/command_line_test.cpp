@@ -101,6 +101,29 @@ TEST_F(CommandLineTest, InputErrors) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "picture.exr"));
 }
 
+// One flipped byte in each page in turn, most of which this camera never needs.
+TEST_F(CommandLineTest, ADamagedPageIsFoundWhereverItIs) {
+  const std::string sound = contents(asset_);
+  std::vector<uint64_t> places;
+  {
+    const asset::AssetReader reader(asset_);
+    uint64_t pages = 0;
+    for (const asset::ChunkEntry& chunk : reader.chunks())
+      if (chunk.type == asset::chunk::kPages) pages = chunk.offset;
+    for (uint32_t stream = 0; stream < reader.asset().streamCount(); stream += 7)
+      if (const asset::PageEntry& page = reader.pageEntry(stream, 0); page.storedSize > 0)
+        places.push_back(pages + page.offset + page.storedSize / 2);
+  }
+  ASSERT_GT(places.size(), 3u);
+  for (uint64_t place : places) {
+    std::string damaged = sound;
+    damaged[place] = char(damaged[place] ^ 0x10);
+    std::ofstream(asset_, std::ios::binary) << damaged;
+    EXPECT_EQ(run(usual("picture.exr")), 3) << "at byte " << place;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "picture.exr"));
+  }
+}
+
 TEST_F(CommandLineTest, DeviceErrors) {
   EXPECT_EQ(run(usual("picture.exr") + "--device no-such-gpu"), 4);
   EXPECT_NE(err_.find("no-such-gpu"), std::string::npos);
