@@ -35,7 +35,7 @@ asset::TextureRef GltfMaterials::reference(int texture, int texcoord, bool srgb,
     failAt(ExitCode::unsupported, file_.path, place + ".texCoord",
            "TEXCOORD_{} is not supported; use set 0 or 1", texcoord);
   }
-  return {textures_.find(texture, srgb, place), uint32_t(texcoord)};
+  return {textures_.find(texture, srgb, place), uint16_t(texcoord)};
 }
 
 // A factor of 0 to `high`.

@@ -18,6 +18,9 @@ struct Scene {
   std::vector<asset::Triangle> triangles;
   std::vector<asset::Material>
       materials;  ///< at least one: glTF's default material where a primitive has none
+  std::vector<asset::MaterialExtension>
+      materialExtensions;  ///< one for each material, or empty if no material has any
+  std::vector<asset::TextureTransform> textureTransforms;
   std::vector<asset::Texture> textures;
   std::vector<uint32_t> texels;          ///< RGBA8 of all textures, R in the low byte
   bool hasTexcoord[2] = {false, false};  ///< does every primitive have TEXCOORD_0 / _1?

@@ -16,6 +16,8 @@ struct Asset {
   std::vector<Vertex> vertices;
   std::vector<Triangle> triangles;
   std::vector<Material> materials;
+  std::vector<MaterialExtension> materialExtensions;  ///< one for each material, or empty if none has any
+  std::vector<TextureTransform> textureTransforms;
   std::vector<Texture> textures;
   std::vector<uint32_t> texels;  ///< RGBA8, R in the low byte
   std::vector<AtlasTexel> atlas;

@@ -16,7 +16,7 @@ static_assert(std::endian::native == std::endian::little, "records are read and 
 
 inline constexpr uint8_t kMagic[8] = {0xAB, 'P', 'T', 'B', '\r', '\n', 0x1A, '\n'};
 inline constexpr uint16_t kMajorVersion = 1;  ///< a reader refuses any other
-inline constexpr uint16_t kMinorVersion = 0;  ///< newer minors only add chunks and flags that may be ignored
+inline constexpr uint16_t kMinorVersion = 1;  ///< 1.1 adds MATX, TXFM and kernels with emitted radiance
 inline constexpr uint32_t kNone = 0xFFFFFFFFu;
 inline constexpr uint32_t kTileRecords =
     64;  ///< texel records per tile at most: one bit each in a 64-bit mask
@@ -76,9 +76,12 @@ inline constexpr uint32_t kInfo = fourCc("INFO");        ///< one Info
 inline constexpr uint32_t kVertices = fourCc("VERT");    ///< Vertex[]
 inline constexpr uint32_t kTriangles = fourCc("TRIS");   ///< Triangle[]
 inline constexpr uint32_t kMaterials = fourCc("MATL");   ///< Material[]
-inline constexpr uint32_t kTextures = fourCc("TEXI");    ///< Texture[]
-inline constexpr uint32_t kTexels = fourCc("TEXD");      ///< RGBA8 texels of all textures, row 0 at the top
-inline constexpr uint32_t kAtlas = fourCc("ATLS");  ///< AtlasTexel[atlasWidth * atlasHeight], row 0 is v = 0
+inline constexpr uint32_t kMaterialExtensions =
+    fourCc("MATX");  ///< MaterialExtension[materialCount]; optional
+inline constexpr uint32_t kTextureTransforms = fourCc("TXFM");  ///< TextureTransform[]; optional
+inline constexpr uint32_t kTextures = fourCc("TEXI");           ///< Texture[]
+inline constexpr uint32_t kTexels = fourCc("TEXD");  ///< RGBA8 texels of all textures, row 0 at the top
+inline constexpr uint32_t kAtlas = fourCc("ATLS");   ///< AtlasTexel[atlasWidth * atlasHeight], row 0 is v = 0
 inline constexpr uint32_t kRecords = fourCc("RECS");      ///< TexelRecord[recordCount]
 inline constexpr uint32_t kTiles = fourCc("TILE");        ///< Tile[tileCount]
 inline constexpr uint32_t kStreamMasks = fourCc("MASK");  ///< uint64_t[streamCount][tileCount]
@@ -129,12 +132,25 @@ static_assert(sizeof(Texture) == 32);
 
 struct TextureRef {
   uint32_t texture = kNone;  ///< index into Texture[], or kNone
-  uint32_t texcoord = 0;     ///< 0 or 1
+  uint16_t texcoord = 0;     ///< 0 or 1
+  uint16_t transform = 0;    ///< 0: none; n: entry n - 1 of TextureTransform[]
 };
+static_assert(sizeof(TextureRef) == 8);
+
+/// KHR_texture_transform: uv' = rows * (u, v, 1).
+struct TextureTransform {
+  float rows[2][3] = {{1, 0, 0}, {0, 1, 0}};
+};
+static_assert(sizeof(TextureTransform) == 24);
 
 enum MaterialFlags : uint32_t {
   kDoubleSided = 1u << 0,
   kAlphaMask = 1u << 1,  ///< a pixel whose alpha is below alphaCutoff is not there
+  // Only in files that have MATX:
+  kAlphaBlend = 1u << 2,          ///< alpha is coverage: a pixel shows what lies behind with the rest
+  kUnlit = 1u << 3,               ///< KHR_materials_unlit: emits its base colour and reflects nothing
+  kVolume = 1u << 4,              ///< KHR_materials_volume: the surface bounds a medium, it is no thin wall
+  kMultipleScattering = 1u << 5,  ///< GGX lobes with the energy that single scattering loses
 };
 
 /// glTF 2.0 metallic-roughness with KHR_materials_specular. Factors multiply their texture, as the
@@ -155,6 +171,39 @@ struct Material {
   uint32_t reserved = 0;
 };
 static_assert(sizeof(Material) == 96);
+
+/// What Khronos extensions add to a Material of the same index; the default adds nothing. Factors multiply
+/// their texture. Lengths are world-space metres.
+struct MaterialExtension {
+  float ior = 1.5f;                               ///< at least 1, or 0: F0 is 1
+  float anisotropy = 0, anisotropyRotation = 0;   ///< [0,1]; radians from tangent to bitangent
+  float clearcoat = 0, clearcoatRoughness = 0;    ///< [0,1]
+  float clearcoatNormalScale = 1;                 ///< of the clearcoat normal texture's x and y
+  float sheenColor[3] = {0, 0, 0};                ///< [0,1]
+  float sheenRoughness = 0;                       ///< [0,1]
+  float transmission = 0;                         ///< [0,1]
+  float diffuseTransmission = 0;                  ///< [0,1]
+  float diffuseTransmissionColor[3] = {1, 1, 1};  ///< [0,1]
+  float iridescence = 0, iridescenceIor = 1.3f;   ///< [0,1]; at least 1
+  float iridescenceThickness[2] = {100, 400};     ///< of the film, nanometres, where the texture is 0 and 1
+  float emissive[3] = {0, 0, 0};                  ///< emissiveFactor times emissiveStrength, radiance
+  float absorption[3] = {0, 0, 0};                ///< of the medium behind a kVolume surface, 1/m
+  float scattering[3] = {0, 0, 0};                ///< 1/m
+  float scatterAnisotropy = 0;                    ///< Henyey-Greenstein g, (-1,1)
+  TextureRef anisotropyTexture;                   ///< RG direction, B strength
+  TextureRef clearcoatTexture;                    ///< R
+  TextureRef clearcoatRoughnessTexture;           ///< G
+  TextureRef clearcoatNormalTexture;              ///< RGB
+  TextureRef sheenColorTexture;                   ///< RGB, sRGB
+  TextureRef sheenRoughnessTexture;               ///< A
+  TextureRef transmissionTexture;                 ///< R
+  TextureRef diffuseTransmissionTexture;          ///< A
+  TextureRef diffuseTransmissionColorTexture;     ///< RGB, sRGB
+  TextureRef iridescenceTexture;                  ///< R
+  TextureRef iridescenceThicknessTexture;         ///< G
+  TextureRef emissiveTexture;                     ///< RGB, sRGB
+};
+static_assert(sizeof(MaterialExtension) == 212);
 
 /// Which records an atlas texel shows: of its front and its back side. Gutter texels point at the record of
 /// their nearest covered texel; texels may share a record.

@@ -81,7 +81,7 @@ void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const
       if (!addEnergy(box, sum))
         report(boxEnergy, chunk::kPages, at(), "half floats {:#06x} {:#06x} {:#06x}", box.energy[0],
                box.energy[1], box.energy[2]);
-      if (box.reserved != 0) report(reserved, chunk::kPages, at(), "{:#06x} instead of 0", box.reserved);
+      if (box.kind > kEmittedRadiance) report(reserved, chunk::kPages, at(), "kind {}", box.kind);
     }
     if (maxComponent(sum) > kEnergyAlarm)
       report(kernelEnergy, chunk::kPages, fmt::format("{}, kernel {}", place, first / boxesPerKernel),

@@ -44,4 +44,22 @@ Box unpackBox(const PackedBox& packed) {
   return box;
 }
 
+PackedBox packEmission(Rgb radiance) {
+  int exponent = 0;
+  const float largest = maxComponent(radiance);
+  if (largest > 0.0f) std::frexp(largest, &exponent);
+  PackedBox packed;
+  packed.kind = kEmittedRadiance;
+  packed.du = uint16_t(32768 + exponent);
+  for (int c = 0; c < 3; ++c) packed.energy[c] = glm::packHalf1x16(std::ldexp(radiance[c], -exponent));
+  return packed;
+}
+
+Rgb unpackEmission(const PackedBox& packed) {
+  Rgb radiance(0.0f);
+  for (int c = 0; c < 3; ++c)
+    radiance[c] = std::ldexp(glm::unpackHalf1x16(packed.energy[c]), int(packed.du) - 32768);
+  return radiance;
+}
+
 }  // namespace boxlight

@@ -20,6 +20,10 @@ struct Box {
   Rgb weight() const;         ///< w = energy / solidAngle; 0 for an empty box
 };
 
+/// PackedBox::kind.
+inline constexpr uint16_t kLightBox = 0;
+inline constexpr uint16_t kEmittedRadiance = 1;  ///< not a box: radiance that does not depend on the light
+
 /// A box as it stands in asset pages and in storage buffers: 16 bytes, four little-endian 32-bit words in
 /// GLSL. Normative in docs/format.md, section "Box".
 struct PackedBox {
@@ -27,7 +31,7 @@ struct PackedBox {
   uint16_t du = 0,
            dv = 0;  ///< size = (code + 1) / 65536: never zero, and 65535 reaches a full ring or both poles
   uint16_t energy[3] = {0, 0, 0};  ///< IEEE half floats; all zero in an empty box
-  uint16_t reserved = 0;           ///< zero
+  uint16_t kind = 0;               ///< kLightBox or kEmittedRadiance
 };
 static_assert(sizeof(PackedBox) == 16);
 
@@ -35,5 +39,12 @@ static_assert(sizeof(PackedBox) == 16);
 /// compensation).
 PackedBox packBox(const Box& box);
 Box unpackBox(const PackedBox& packed);
+
+/// Radiance that a kernel returns whatever the light is: what emitters of the scene send by way of the texel.
+/// A kernel with such a slot has it first. radiance = energy * 2^(du - 32768): half floats alone end at
+/// 65504.
+PackedBox packEmission(Rgb radiance);
+Rgb unpackEmission(const PackedBox& packed);
+inline bool isEmission(const PackedBox& packed) { return packed.kind == kEmittedRadiance; }
 
 }  // namespace boxlight

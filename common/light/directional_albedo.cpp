@@ -3,16 +3,16 @@
 
 #include <cmath>
 
+#include "common/light/albedo_nodes.h"
 #include "common/light/ggx.h"
 
 namespace boxlight {
 namespace {
 
-constexpr uint32_t kSize = AlbedoTable::kSize;
 // Midpoints over half a turn and over the cap: errors of the integrals below 1e-3.
 constexpr uint32_t kTurns = 16, kHeights = 24;
 
-vec3 directionAt(float nDotV) { return {std::sqrt(std::max(0.0f, 1.0f - nDotV * nDotV)), 0.0f, nDotV}; }
+using albedo_nodes::directionAt;
 
 /// (A, B) as means over visible normals, of which D V n.l dl is G2 / G1(v) times their density. Midpoints
 /// crowd, by a cube, at the rim of the cap, where the steep normals of a smooth surface are.
@@ -53,29 +53,14 @@ float integrateFresnel(float nDotV) {
   return float(sum / (kRings * kSectors));
 }
 
-/// The node below a roughness or cosine and the fraction to the next.
-struct Node {
-  uint32_t index;
-  float fraction;
-  explicit Node(float parameter) {
-    const float position = std::sqrt(std::clamp(parameter, 0.0f, 1.0f)) * float(kSize - 1);
-    index = std::min(uint32_t(position), kSize - 2);
-    fraction = position - float(index);
-  }
-};
-
-/// The parameter at a node: nodes are even in its square root.
-float parameterAt(uint32_t node) {
-  const float root = float(node) / float(kSize - 1);
-  return root * root;
-}
-
 AlbedoTable makeTable() {
+  using namespace albedo_nodes;
   AlbedoTable table;
   for (uint32_t j = 0; j < kSize; ++j) {
     const float nDotV = std::max(parameterAt(j), 1e-4f);  // the limit, where Lambda is still finite
-    for (uint32_t i = 0; i < kSize; ++i)
+    for (uint32_t i = 0; i < kSize; ++i) {
       table.specularNodes.push_back(integrateSpecular(parameterAt(i), nDotV));
+    }
     table.fresnelNodes.push_back(integrateFresnel(nDotV));
   }
   return table;
@@ -84,14 +69,11 @@ AlbedoTable makeTable() {
 }  // namespace
 
 vec2 AlbedoTable::specular(float roughness, float nDotV) const {
-  const Node x(roughness), y(nDotV);
-  const vec2* row = &specularNodes[y.index * kSize + x.index];
-  return glm::mix(glm::mix(row[0], row[1], x.fraction), glm::mix(row[kSize], row[kSize + 1], x.fraction),
-                  y.fraction);
+  return albedo_nodes::bilinear(specularNodes, roughness, nDotV);
 }
 
 float AlbedoTable::diffuseFresnel(float nDotV) const {
-  const Node y(nDotV);
+  const albedo_nodes::Node y(nDotV);
   return glm::mix(fresnelNodes[y.index], fresnelNodes[y.index + 1], y.fraction);
 }
 

@@ -12,7 +12,7 @@ namespace boxlight {
 ///   specular directional albedo = F0 * A + F90 * B,
 ///     A = int D V (1 - (1 - v.h)^5) n.l dl,   B = int D V (1 - v.h)^5 n.l dl   (ggx.h);
 ///   mean diffuse Fresnel factor k_d = 1 - specular * (F0max + (1 - F0max) * S),
-///     S = (1 / pi) int (1 - v.h)^5 n.l dl.
+///     S = (1 / pi) int (1 - v.h)^5 n.l dl;
 /// The table is bilinear in the square roots of roughness and of n.v, where grazing angles and smooth
 /// surfaces need their nodes; both ends of [0,1] are nodes. It is within 2e-3 of the integrals for alpha from
 /// 1e-3 and n.v from .02.

@@ -232,7 +232,7 @@ const std::vector<Case> kHarmless = {
     {"atlasUv", vertexAtlasUv, in<Vertex>(chunk::kVertices, 0, [](Vertex& v) { v.atlasUv[0] = -0.5f; })},
     {"materialValue", materialValue, in<Material>(chunk::kMaterials, 0, [](Material& m) { m.metallic = 2; })},
     {"materialFlag", reserved, in<Material>(chunk::kMaterials, 0, [](Material& m) { m.flags |= 0x80; })},
-    {"boxReserved", reserved, [](Surgeon& s) { s.editBox(0, 0, [](PackedBox& b) { b.reserved = 1; }); }},
+    {"boxReserved", reserved, [](Surgeon& s) { s.editBox(0, 0, [](PackedBox& b) { b.kind = 2; }); }},
     {"kernelEnergy", kernelEnergy,
      [](Surgeon& s) { s.editBox(0, 0, [](PackedBox& b) { b.energy[0] = 0x4900; }); }},
     {"energyNegativeZero", kernelEnergy,
