@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 
+#include "bake/commands/transport_options.h"
 #include "bake/kernels/scene_bake.h"
 #include "bake/scene/atlas.h"
 #include "bake/scene/gltf_load.h"
@@ -19,9 +20,8 @@ namespace {
 
 struct BakeOptions {
   std::string scene, output, preset = "preview";
-  uint32_t atlas = 0, views = 92, boxes = 0, paths = 0,
-           bounces = 0;  ///< 0: as the preset says; for bounces, no limit
-  uint64_t seed = 0;
+  TransportOptions transport;
+  uint32_t atlas = 0, views = 92, boxes = 0, paths = 0;  ///< 0: as the preset says
 };
 
 struct Preset {
@@ -66,8 +66,10 @@ nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
         {"views", o.views},
         {"boxes", o.boxes},
         {"paths", o.paths},
-        {"bounces", o.bounces}}},
-      {"seed", o.seed}};
+        {"bounces", o.transport.bounces},
+        {"ggx", o.transport.ggx},
+        {"firefly_limit", o.transport.fireflyLimit}}},
+      {"seed", o.transport.seed}};
 }
 
 void announce(const BakeCost& cost) {
@@ -81,19 +83,23 @@ void bake(BakeOptions options, const CommonOptions& common) {
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     size_t(resolveThreads(common.threads)));
   Scene scene = loadGltf(options.scene);
+  options.transport.applyTo(scene);
   const uint32_t uvSet = chooseAtlas(scene);
   const TexelMap map = makeTexels(scene, options.atlas, options.atlas);
-  const std::vector<RecordPlan> records = planRecords(scene, map);
+  const Intersector world(scene);
+  const std::vector<RecordPlan> records = planRecords(world, map);
   const ViewSphere sphere(frequencyOf(options.views));
-  const KernelOptions kernels{options.paths, options.boxes,
-                              options.bounces ? options.bounces : kUnlimitedBounces, options.seed};
+  const KernelOptions kernels{options.paths,
+                              options.boxes,
+                              {options.transport.bounceLimit(), options.transport.energyLimit()},
+                              options.transport.seed};
   log().info("{}: {} triangles, atlas {}x{} from TEXCOORD_{}", options.scene, scene.triangles.size(),
              options.atlas, options.atlas, uvSet);
   announce(estimateCost(records, sphere, kernels));
 
-  const Intersector world(scene);
-  BakedScene baked = bakeScene(scene, world, map, records, sphere, kernels,
-                               common.quiet ? ProgressStyle::none : common.progress);
+  BakedScene baked =
+      bakeScene(world, map, records, sphere, kernels, common.quiet ? ProgressStyle::none : common.progress);
+  options.transport.reportRemoved(baked.removed);
   baked.asset.provenance = provenance(options, scene);
   const size_t tileCount = baked.asset.tiles.size();
   asset::writeAsset(options.output, baked.asset, [&](uint32_t stream, uint32_t tile) {
@@ -127,13 +133,8 @@ void addBakeCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--paths", o->paths, "Paths per glossy kernel; the Lambert kernel has 64 times as many")
       ->check(CLI::Range(1, 1 << 24))
       ->option_text("N");
-  command
-      ->add_option("--bounces", o->bounces,
-                   "Surface interactions of a path at most; 0 = no limit but Russian roulette")
-      ->capture_default_str();
-  command->add_option("--seed", o->seed, "Seed of the random numbers")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addTransportOptions(*command, o->transport,
+                      "Largest throughput of a path; more is removed and reported. 0 = no limit");
   command->callback([o, &common] { bake(*o, common); });
 }
 

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "bake/commands/transport_options.h"
 #include "bake/scene/gltf_load.h"
 #include "bake/transport/reference.h"
 #include "common/base/file.h"
@@ -20,7 +21,7 @@ struct RenderOptions {
   float rotation = 0.0f, exposure = 0.0f;
   CameraOptions camera;
   ReferenceOptions reference;
-  uint32_t bounces = 0;
+  TransportOptions transport;
 };
 
 void writePicture(const std::filesystem::path& path, const Image& image, float exposure) {
@@ -33,16 +34,20 @@ void render(RenderOptions options, const CommonOptions& common) {
   if (!options.variance.empty()) checkOutput(options.variance, {options.scene, options.environment});
   const tbb::global_control threads(tbb::global_control::max_allowed_parallelism,
                                     resolveThreads(common.threads));
-  const Scene scene = loadGltf(options.scene);
+  Scene scene = loadGltf(options.scene);
+  options.transport.applyTo(scene);
   const Image environment = readEnvironment(options.environment);
   const Camera camera = makeCamera(options.camera, scene.boundsMin, scene.boundsMax);
   const Intersector world(scene);
   options.reference.progress = common.quiet ? ProgressStyle::none : common.progress;
-  options.reference.bounces = options.bounces ? options.bounces : kUnlimitedBounces;
+  options.reference.bounces = options.transport.bounceLimit();
+  options.reference.radianceLimit = options.transport.energyLimit();
+  options.reference.seed = options.transport.seed;
   log().info("{}: {} triangles, {}x{} pixels, {} paths a pixel", options.scene, scene.triangles.size(),
              camera.size.x, camera.size.y, options.reference.samplesPerPixel);
   const ReferencePicture picture =
       renderReference(world, EnvironmentSampler(environment, options.rotation), camera, options.reference);
+  options.transport.reportRemoved(picture.removed);
   writePicture(options.output, picture.mean, options.exposure);
   if (!options.variance.empty()) writeImage(options.variance, picture.variance);
 }
@@ -71,13 +76,8 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--spp", options->reference.samplesPerPixel, "Paths per pixel")
       ->check(CLI::Range(1, 1 << 24))
       ->capture_default_str();
-  command
-      ->add_option("--bounces", options->bounces,
-                   "Surface interactions of a path at most; 0 = no limit but Russian roulette")
-      ->capture_default_str();
-  command->add_option("--seed", options->reference.seed, "Seed of the random numbers")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  addTransportOptions(*command, options->transport,
+                      "Largest radiance of a path; more is removed and reported. 0 = no limit");
   command
       ->add_option("--env-rotation", options->rotation, "Degrees about +Y, counter-clockwise seen from above")
       ->check(inRange(-1e6, 1e6))

@@ -110,7 +110,7 @@ std::vector<Box> BoxFitter::Scratch::result(uint64_t pathCount) const {
   return result;
 }
 
-BoxFitter::BoxFitter(FitOptions options) : scratch_(std::make_unique<Scratch>(options)) {
+BoxFitter::BoxFitter(FitOptions options) : options_(options), scratch_(std::make_unique<Scratch>(options)) {
   assert(options.boxes >= 1 && options.boxes <= 64 && options.gridSize >= 2 && options.gridSize <= 64);
   assert(options.seeds >= 1 && options.seeds <= 16 && options.refinements >= 0 && options.noise >= 0.0f);
 }
@@ -119,8 +119,10 @@ BoxFitter::~BoxFitter() = default;
 BoxFitter::BoxFitter(BoxFitter&&) noexcept = default;
 BoxFitter& BoxFitter::operator=(BoxFitter&&) noexcept = default;
 
-std::vector<Box> BoxFitter::fit(std::span<const Deposit> deposits, uint64_t pathCount) {
+std::vector<Box> BoxFitter::fit(std::span<const Deposit> deposits, uint64_t pathCount, int boxes) {
+  assert(boxes >= 1 && boxes <= options_.boxes);
   Scratch& s = *scratch_;
+  s.options.boxes = boxes;
   if (!s.grid.build(deposits, s.options.noise)) return {};
   assert(pathCount >= deposits.size());
   s.boxes.clear();

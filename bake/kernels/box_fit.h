@@ -35,10 +35,15 @@ class BoxFitter {
   /// At most options.boxes boxes in order of falling energy, each with non-negative energies that sum to the
   /// mean throughput, sum(throughput) / pathCount, in every channel; pathCount >= deposits.size().
   /// Empty if there is no energy. Deterministic.
-  std::vector<Box> fit(std::span<const Deposit> deposits, uint64_t pathCount);
+  std::vector<Box> fit(std::span<const Deposit> deposits, uint64_t pathCount) {
+    return fit(deposits, pathCount, options_.boxes);
+  }
+  /// The same with at most `boxes` boxes, no more than options.boxes.
+  std::vector<Box> fit(std::span<const Deposit> deposits, uint64_t pathCount, int boxes);
 
  private:
   struct Scratch;
+  FitOptions options_;
   std::unique_ptr<Scratch> scratch_;
 };
 

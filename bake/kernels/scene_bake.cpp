@@ -11,6 +11,8 @@ void copyScene(const Scene& scene, asset::Asset& target) {
   target.vertices = scene.vertices;
   target.triangles = scene.triangles;
   target.materials = scene.materials;
+  target.materialExtensions = scene.materialExtensions;
+  target.textureTransforms = scene.textureTransforms;
   target.textures = scene.textures;
   target.texels = scene.texels;
   for (int c = 0; c < 3; ++c) {
@@ -19,35 +21,57 @@ void copyScene(const Scene& scene, asset::Asset& target) {
   }
 }
 
+std::span<const RecordPlan> recordsOf(const asset::Tile& tile, const std::vector<RecordPlan>& records) {
+  return std::span(records).subspan(tile.firstRecord, tile.recordCount);
+}
+
+/// All glossy kernels of a tile have the boxes that its most layered material asks for.
+uint32_t glossyLobes(std::span<const RecordPlan> records) {
+  uint32_t lobes = 0;
+  for (const RecordPlan& plan : records)
+    if (plan.glossy) lobes = std::max(lobes, plan.glossyLobes);
+  return lobes;
+}
+
 std::vector<asset::Tile> makeTiles(const std::vector<RecordPlan>& records, const KernelOptions& options) {
   std::vector<asset::Tile> tiles;
   for (uint32_t first = 0; first < records.size(); first += asset::kTileRecords) {
     const uint32_t count = std::min(asset::kTileRecords, uint32_t(records.size()) - first);
     asset::Tile tile{first, count, 0, 0};
-    for (uint32_t r = first; r < first + count; ++r) {
-      if (records[r].glossy) tile.glossyBoxes = options.boxes;
-      if (records[r].lambert) tile.diffuseBoxes = options.lambertBoxes();
-    }
+    const auto own = recordsOf(tile, records);
+    tile.glossyBoxes = options.glossyBoxes(glossyLobes(own));
+    if (std::any_of(own.begin(), own.end(), [](const RecordPlan& plan) { return plan.lambert; }))
+      tile.diffuseBoxes = options.lambertBoxes();
     tiles.push_back(tile);
   }
   return tiles;
 }
 
-/// Moves the kernels of one tile into its pages, record by record, and sets their bits.
-void fillPages(BakedScene& baked, uint32_t tile, std::vector<RecordKernels>& kernels) {
-  const asset::Tile& range = baked.asset.tiles[tile];
+bool isLit(const RecordKernel& kernel) { return maxComponent(kernel.emission) > 0.0f; }
+
+/// Moves the kernels of one tile into its pages, record by record, and sets their bits. Where an emitter
+/// reaches any of them, all get a slot for it.
+void fillPages(BakedScene& baked, uint32_t tile, std::span<RecordKernels> kernels) {
+  asset::Tile& range = baked.asset.tiles[tile];
   const size_t tileCount = baked.asset.tiles.size();
-  auto append = [&](uint32_t stream, uint32_t bit, std::vector<PackedBox>& boxes) {
-    if (boxes.empty()) return;
+  bool lambertLit = false, glossyLit = false;
+  for (const RecordKernels& record : kernels) {
+    lambertLit |= isLit(record.lambert);
+    glossyLit |= std::any_of(record.glossy.begin(), record.glossy.end(), isLit);
+  }
+  range.diffuseBoxes += lambertLit;
+  range.glossyBoxes += glossyLit;
+  auto append = [&](uint32_t stream, uint32_t bit, const RecordKernel& kernel, bool lit) {
+    if (kernel.boxes.empty()) return;
     auto& page = baked.pages[stream * tileCount + tile];
-    page.insert(page.end(), boxes.begin(), boxes.end());
+    if (lit) page.push_back(packEmission(kernel.emission));
+    page.insert(page.end(), kernel.boxes.begin(), kernel.boxes.end());
     baked.asset.streamMasks[stream * tileCount + tile] |= uint64_t(1) << bit;
   };
-  for (uint32_t r = 0; r < range.recordCount; ++r) {
-    RecordKernels& record = kernels[range.firstRecord + r];
-    for (uint32_t view = 0; view < record.glossy.size(); ++view) append(view, r, record.glossy[view]);
-    append(baked.asset.diffuseStream(), r, record.lambert);
-    record = {};
+  for (uint32_t r = 0; r < kernels.size(); ++r) {
+    const auto& glossy = kernels[r].glossy;
+    for (uint32_t view = 0; view < glossy.size(); ++view) append(view, r, glossy[view], glossyLit);
+    append(baked.asset.diffuseStream(), r, kernels[r].lambert, lambertLit);
   }
 }
 
@@ -62,18 +86,18 @@ BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& 
     const uint64_t glossy = plan.glossy ? uint64_t(std::count(views.begin(), views.end(), true)) : 0,
                    lambert = plan.lambert;
     cost.kernels += glossy + lambert;
-    cost.paths += glossy * options.paths + lambert * options.lambertPaths();
-    cost.pageBytes += (glossy * options.boxes + lambert * options.lambertBoxes()) * sizeof(PackedBox);
+    cost.paths += glossy * options.glossyPaths(plan.glossyLobes) + lambert * options.lambertPaths();
+    cost.pageBytes += (glossy * options.glossyBoxes(plan.glossyLobes) + lambert * options.lambertBoxes()) *
+                      sizeof(PackedBox);
   }
   return cost;
 }
 
-BakedScene bakeScene(const Scene& scene, const Intersector& world, const TexelMap& map,
-                     const std::vector<RecordPlan>& records, const ViewSphere& sphere,
-                     const KernelOptions& options, ProgressStyle style) {
+BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::vector<RecordPlan>& records,
+                     const ViewSphere& sphere, const KernelOptions& options, ProgressStyle style) {
   BakedScene baked;
   asset::Asset& result = baked.asset;
-  copyScene(scene, result);
+  copyScene(world.scene(), result);
   result.info.atlasWidth = map.width;
   result.info.atlasHeight = map.height;
   result.info.viewFrequency = sphere.frequency();
@@ -84,19 +108,30 @@ BakedScene bakeScene(const Scene& scene, const Intersector& world, const TexelMa
   result.streamMasks.assign(result.streamCount() * result.tiles.size(), 0);
   baked.pages.resize(result.streamMasks.size());
 
-  std::vector<RecordKernels> kernels(records.size());
+  struct Energy {
+    double all = 0, removed = 0;
+  };
+  std::vector<Energy> energy(
+      result.tiles.size());  // summed in the order of the tiles: the same whatever the threads
   tbb::enumerable_thread_specific<TexelBaker> bakers([&] { return TexelBaker(world, map, sphere, options); });
   Progress progress("bake", records.size(), style);
   tbb::parallel_for(size_t(0), result.tiles.size(), [&](size_t tile) {
-    const asset::Tile& range = result.tiles[tile];
-    for (uint32_t r = range.firstRecord; r < range.firstRecord + range.recordCount; ++r) {
+    const auto own = recordsOf(result.tiles[tile], records);
+    const uint32_t lobes = glossyLobes(own);
+    std::vector<RecordKernels> kernels;
+    for (const RecordPlan& plan : own) {
       if (interrupted()) return;
-      kernels[r] = bakers.local().bake(records[r]);
+      kernels.push_back(bakers.local().bake(plan, lobes));
+      energy[tile].all += kernels.back().energy + kernels.back().removed;
+      energy[tile].removed += kernels.back().removed;
       progress.advance();
     }
     fillPages(baked, uint32_t(tile), kernels);
   });
   throwIfInterrupted("interrupted: no asset was written; run the same command again");
+  Energy total;
+  for (const Energy& e : energy) total.all += e.all, total.removed += e.removed;
+  baked.removed = total.all > 0.0 ? total.removed / total.all : 0.0;
   return baked;
 }
 

@@ -13,6 +13,7 @@ namespace boxlight {
 struct BakedScene {
   asset::Asset asset;
   std::vector<std::vector<PackedBox>> pages;  ///< [stream * tileCount + tile]
+  double removed = 0;  ///< by PathLimits::throughput, as a part of the transport's luminance
 };
 
 /// What a bake is about to cost, for the user to see before it starts.
@@ -25,8 +26,7 @@ BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& 
 
 /// Bakes all records on all threads of the current TBB arena and packs them into tiles. The result does not
 /// depend on the threads. Throws Error(interrupted) after Ctrl-C.
-BakedScene bakeScene(const Scene& scene, const Intersector& world, const TexelMap& map,
-                     const std::vector<RecordPlan>& records, const ViewSphere& sphere,
-                     const KernelOptions& options, ProgressStyle progress);
+BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::vector<RecordPlan>& records,
+                     const ViewSphere& sphere, const KernelOptions& options, ProgressStyle progress);
 
 }  // namespace boxlight

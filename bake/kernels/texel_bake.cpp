@@ -18,56 +18,66 @@ std::vector<PackedBox> pack(const std::vector<Box>& boxes, size_t count) {
 
 TexelBaker::TexelBaker(const Intersector& world, const TexelMap& map, const ViewSphere& sphere,
                        const KernelOptions& options)
-    : map_(map),
+    : world_(world),
+      map_(map),
       sphere_(sphere),
       options_(options),
-      tracer_(world, options.bounces),
+      tracer_(world, options.limits),
       lambertFitter_(FitOptions{.boxes = int(options.lambertBoxes()), .gridSize = 64}),
-      glossyFitter_(FitOptions{.boxes = int(options.boxes)}) {
+      glossyFitter_(FitOptions{.boxes = int(KernelOptions::kMaxFittedBoxes)}) {
   key_.seed = options.seed;
 }
 
-std::vector<Box> TexelBaker::lambertBoxes(const PathOrigin& origin, uint32_t stream) {
-  deposits_.clear();
-  key_.stream = stream;
-  const uint32_t traced = tracer_.traceLambert(origin, key_, options_.lambertPaths(), deposits_);
-  return traced ? lambertFitter_.fit(deposits_, traced) : std::vector<Box>{};
+std::vector<Box> TexelBaker::fit(BoxFitter& fitter, uint32_t boxes, RecordKernels& result) {
+  for (const Deposit& deposit : paths_.deposits) result.energy += double(luminance(deposit.throughput));
+  result.removed += paths_.removed;
+  return paths_.traced ? fitter.fit(paths_.deposits, paths_.traced, int(boxes)) : std::vector<Box>{};
 }
 
-std::vector<Box> TexelBaker::glossyBoxes(const PathOrigin& origin, uint32_t stream, vec3 wo) {
-  deposits_.clear();
+void TexelBaker::bakeLambert(const PathOrigin& origin, uint32_t stream, RecordKernels& result) {
+  paths_.clear();
   key_.stream = stream;
-  const uint32_t traced =
-      tracer_.traceGlossy(origin, raiseAboveHorizon(wo, origin.normal), key_, options_.paths, deposits_);
-  return traced ? glossyFitter_.fit(deposits_, traced) : std::vector<Box>{};
+  tracer_.traceLambert(origin, key_, options_.lambertPaths(), paths_);
+  const std::vector<Box> boxes = fit(lambertFitter_, options_.lambertBoxes(), result);
+  result.lambert.emission = paths_.emission();
+  if (!boxes.empty() || maxComponent(result.lambert.emission) > 0.0f)
+    result.lambert.boxes = pack(boxes, options_.lambertBoxes());
 }
 
-RecordKernels TexelBaker::bake(const RecordPlan& plan) {
-  const PathOrigin origin = plan.origin(map_);
-  const uint32_t side = origin.back ? kBackStreams : 0u;
-  key_.texel = plan.record.atlasY * map_.width + plan.record.atlasX;
-  RecordKernels result;
-  if (plan.lambert)
-    if (const auto boxes = lambertBoxes(origin, side + sphere_.viewCount()); !boxes.empty())
-      result.lambert = pack(boxes, options_.lambertBoxes());
-  if (!plan.glossy) return result;
-
+void TexelBaker::bakeGlossy(const PathOrigin& origin, uint32_t firstStream, uint32_t glossyLobes,
+                            RecordKernels& result) {
   const std::vector<bool> stored = viewsOfHemisphere(sphere_, origin.normal);
+  const uint32_t slots = options_.glossyBoxes(glossyLobes);
   std::vector<std::vector<Box>> kernels(sphere_.viewCount());
+  std::vector<Rgb> emission(sphere_.viewCount(), Rgb(0.0f));
   bool anyLight = false;
   for (uint32_t view = 0; view < sphere_.viewCount(); ++view) {
     if (!stored[view]) continue;
-    kernels[view] = glossyBoxes(origin, side + view, sphere_.directions()[view]);
-    anyLight |= !kernels[view].empty();
+    paths_.clear();
+    key_.stream = firstStream + view;
+    const vec3 wo = raiseAboveHorizon(sphere_.directions()[view], origin.normal);
+    tracer_.traceGlossy(origin, wo, key_, options_.glossyPaths(glossyLobes), paths_);
+    kernels[view] = fit(glossyFitter_, slots, result);
+    emission[view] = paths_.emission();
+    anyLight |= !kernels[view].empty() || maxComponent(emission[view]) > 0.0f;
     // A view that no light reaches is stored as such: a view that is not stored would be left out of the
     // interpolation.
     if (kernels[view].empty()) kernels[view].push_back({0, 0, 1, 1, Rgb(0.0f)});
   }
-  if (!anyLight) return result;
-  matchSlots(sphere_, origin.normal, kernels, int(options_.boxes));
+  if (!anyLight) return;
+  matchSlots(sphere_, origin.normal, kernels, int(slots));
   result.glossy.resize(kernels.size());
   for (uint32_t view = 0; view < kernels.size(); ++view)
-    if (stored[view]) result.glossy[view] = pack(kernels[view], options_.boxes);
+    if (stored[view]) result.glossy[view] = {pack(kernels[view], slots), emission[view]};
+}
+
+RecordKernels TexelBaker::bake(const RecordPlan& plan, uint32_t glossyLobes) {
+  const PathOrigin origin = plan.origin(world_, map_);
+  const uint32_t side = origin.back ? kBackStreams : 0u;
+  key_.texel = plan.record.atlasY * map_.width + plan.record.atlasX;
+  RecordKernels result;
+  if (plan.lambert) bakeLambert(origin, side + sphere_.viewCount(), result);
+  if (plan.glossy) bakeGlossy(origin, side, glossyLobes, result);
   return result;
 }
 

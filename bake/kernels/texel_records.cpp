@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/kernels/texel_records.h"
 
+#include <tbb/parallel_for.h>
+
 #include "bake/transport/bsdf.h"
 
 namespace boxlight {
@@ -12,67 +14,106 @@ void store(float (&target)[3], vec3 value) {
   for (int c = 0; c < 3; ++c) target[c] = value[c];
 }
 
-RecordPlan planRecord(const Scene& scene, const TexelMap& map, uint32_t index, bool back) {
-  const Texel& texel = map.texels[index];
-  RecordPlan plan{{}, index, false, false};
-  vec3 position(0.0f), normal(0.0f), geometric(0.0f);
-  Rgb f0(0.0f);
+constexpr uint32_t kReachStream = 0xFFFF0000u;  ///< apart from every stream of a kernel
+
+/// Means over points of a texel, and which lobes its materials have anywhere on it.
+struct TexelMeans {
+  TexelMeans(const Scene& scene, std::span<const FootprintPiece> footprint);
+  vec3 direction(bool back) const;
+
+  vec3 position{0.0f}, normal{0.0f}, geometric{0.0f};
+  Rgb f0{0.0f};
   float roughness = 0, metallic = 0;
+  uint32_t material = 0, glossyLobes = 0;
+  bool diffuse = false, transmits = false, doubleSided = false;
+};
+
+TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footprint) {
+  constexpr float kShare = 1.0f / float(kStrata * kStrata);
   for (int i = 0; i < kStrata * kStrata; ++i) {
     const vec2 sample = (vec2(i % kStrata, i / kStrata) + 0.5f) / float(kStrata);
-    const SurfacePoint point = sampleFootprint(map.footprint(texel), sample);
+    const SurfacePoint point = sampleFootprint(footprint, sample);
     const SurfaceFrame frame = surfaceFrame(scene, point);
-    const MaterialSample material = sampleMaterial(scene, point);
-    const Bsdf bsdf(material);
-    const float share = 1.0f / float(kStrata * kStrata);
-    position += share * frame.position;
-    normal += shadingNormal(frame, material);
+    const MaterialSample m = sampleMaterial(scene, point);
+    const Bsdf bsdf(m, {0, 0, 1});
+    position += kShare * frame.position;
+    normal += shadingNormal(frame, m);
     geometric += frame.geometricNormal;
-    f0 += share * bsdf.f0();
-    roughness += share * material.roughness;
-    metallic += share * material.metallic;
-    plan.lambert |= bsdf.hasDiffuse();
-    plan.glossy |= bsdf.hasGlossy();
-    plan.record.material = scene.triangles[point.triangle].material;
+    f0 += kShare * bsdf.f0();
+    roughness += kShare * m.roughness;
+    metallic += kShare * m.metallic;
+    material = scene.triangles[point.triangle].material;
+    glossyLobes = std::max(glossyLobes, bsdf.viewDependentCount());
+    diffuse |= bsdf.has(kDiffuse);
+    transmits |= bsdf.has(kDiffuseTransmit);
   }
-  // Normals that cancel (a texel that folds over) leave no direction: any of its surface's will do.
-  if (glm::length(normal) < 1e-3f) normal = glm::length(geometric) > 1e-3f ? geometric : vec3(0, 1, 0);
-  normal = (back ? -1.0f : 1.0f) * glm::normalize(normal);
+  for (const FootprintPiece& piece : footprint)
+    doubleSided |=
+        (scene.materials[scene.triangles[piece.triangle].material].flags & asset::kDoubleSided) != 0;
+}
+
+/// Normals that cancel (a texel that folds over) leave no direction: any of its surface's will do.
+vec3 TexelMeans::direction(bool back) const {
+  vec3 mean = normal;
+  if (glm::length(mean) < 1e-3f) mean = glm::length(geometric) > 1e-3f ? geometric : vec3(0, 1, 0);
+  return (back ? -1.0f : 1.0f) * glm::normalize(mean);
+}
+
+RecordPlan planSide(const TexelMap& map, uint32_t index, const TexelMeans& means, bool back) {
+  const Texel& texel = map.texels[index];
+  RecordPlan plan{.texel = index};
+  asset::TexelRecord& record = plan.record;
+  const vec3 normal = means.direction(back);
   vec3 tangent, bitangent;
   orthonormalBasis(normal, tangent, bitangent);
-  store(plan.record.position, position);
-  store(plan.record.normal, normal);
-  store(plan.record.tangent, tangent);
-  store(plan.record.f0, f0);
-  plan.record.roughness = roughness;
-  plan.record.metallic = metallic;
-  plan.record.flags = back ? asset::kBackSide : 0u;
-  plan.record.atlasX = texel.x;
-  plan.record.atlasY = texel.y;
-  plan.record.emissionSlot = asset::kNone;
+  store(record.position, means.position);
+  store(record.normal, normal);
+  store(record.tangent, tangent);
+  store(record.f0, means.f0);
+  record.material = means.material;
+  record.roughness = means.roughness;
+  record.metallic = means.metallic;
+  record.flags = back ? asset::kBackSide : 0u;
+  record.atlasX = texel.x;
+  record.atlasY = texel.y;
+  record.emissionSlot = asset::kNone;
   return plan;
 }
 
-bool isDoubleSided(const Scene& scene, const TexelMap& map, const Texel& texel) {
-  for (const FootprintPiece& piece : map.footprint(texel))
-    if (scene.materials[scene.triangles[piece.triangle].material].flags & asset::kDoubleSided) return true;
-  return false;
+/// The records of one texel: one or two.
+std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map, uint32_t index) {
+  const TexelMeans means(world.scene(), map.footprint(map.texels[index]));
+  std::vector<RecordPlan> plans = {planSide(map, index, means, false)};
+  RecordPlan back = planSide(map, index, means, true);
+  const bool backSeen =
+      means.doubleSided && PathTracer(world, {}).isReached(back.origin(world, map), {0, index, kReachStream});
+  if (backSeen || means.transmits) plans.push_back(back);
+  for (size_t side = 0; side < plans.size(); ++side) {
+    const bool seen = side == 0 || backSeen, otherSeen = side == 1 || backSeen;
+    plans[side].lambert = (seen && means.diffuse) || (otherSeen && means.transmits);
+    plans[side].glossy = seen && means.glossyLobes > 0;
+    plans[side].glossyLobes = means.glossyLobes;
+  }
+  return plans;
 }
 
 }  // namespace
 
-PathOrigin RecordPlan::origin(const TexelMap& map) const {
-  return {map.footprint(map.texels[texel]),
-          (record.flags & asset::kBackSide) != 0,
-          {record.normal[0], record.normal[1], record.normal[2]}};
+PathOrigin RecordPlan::origin(const Intersector& world, const TexelMap& map) const {
+  const auto footprint = map.footprint(map.texels[texel]);
+  const bool back = (record.flags & asset::kBackSide) != 0;
+  return {footprint,
+          back,
+          {record.normal[0], record.normal[1], record.normal[2]},
+          mediaAround(world, footprint, back)};
 }
 
-std::vector<RecordPlan> planRecords(const Scene& scene, const TexelMap& map) {
+std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map) {
+  std::vector<std::vector<RecordPlan>> texels(map.texels.size());
+  tbb::parallel_for(size_t(0), texels.size(),
+                    [&](size_t i) { texels[i] = planTexel(world, map, uint32_t(i)); });
   std::vector<RecordPlan> plans;
-  for (uint32_t i = 0; i < map.texels.size(); ++i) {
-    plans.push_back(planRecord(scene, map, i, false));
-    if (isDoubleSided(scene, map, map.texels[i])) plans.push_back(planRecord(scene, map, i, true));
-  }
+  for (const auto& sides : texels) plans.insert(plans.end(), sides.begin(), sides.end());
   return plans;
 }
 

@@ -12,15 +12,17 @@ namespace boxlight {
 /// One side of one texel that will be baked, and which kernels its material asks for.
 struct RecordPlan {
   asset::TexelRecord record;
-  uint32_t texel;  ///< index into TexelMap::texels
-  bool lambert, glossy;
+  uint32_t texel;        ///< index into TexelMap::texels
+  bool lambert = false;  ///< its own diffuse reflection, or the other side's diffuse transmission, needs it
+  bool glossy = false;   ///< it is seen, and has view-dependent lobes
+  uint32_t glossyLobes = 0;  ///< view-dependent lobes with directions of their own, at most
 
-  PathOrigin origin(const TexelMap& map) const;
+  PathOrigin origin(const Intersector& world, const TexelMap& map) const;
 };
 
-/// The records of a scene in texel order: the front of every covered texel and, where its material is
-/// double-sided, the back.
-std::vector<RecordPlan> planRecords(const Scene& scene, const TexelMap& map);
+/// The records of a scene in texel order: the front of every covered texel; the back where it is seen
+/// (double-sided, and reached by light from outside) or where diffuse transmission gathers from it.
+std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map);
 
 /// The records that each atlas texel shows; gutter texels show those of their nearest covered texel.
 std::vector<asset::AtlasTexel> indirection(const TexelMap& map, const std::vector<RecordPlan>& records);

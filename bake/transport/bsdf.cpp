@@ -1,78 +1,165 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/transport/bsdf.h"
 
+#include <bit>
 #include <cmath>
 
+#include "bake/transport/warp.h"
 #include "common/light/directional_albedo.h"
 #include "common/light/ggx.h"
+#include "common/light/sheen.h"
+#include "common/light/view_sphere.h"
 
 namespace boxlight {
+namespace {
 
-Bsdf::Bsdf(const MaterialSample& m) : roughness_(m.roughness), alpha_(ggx::alphaOf(m.roughness)) {
-  const Rgb dielectric = glm::min(0.04f * m.specularColor, Rgb(1.0f));
-  diffuseAlbedo_ = (1.0f - m.metallic) * m.baseColor;
-  f0_ = glm::mix(m.specular * dielectric, m.baseColor, m.metallic);
-  f90_ = glm::mix(m.specular, 1.0f, m.metallic);
-  dielectricF0_ = m.specular * maxComponent(dielectric);
-  dielectricF90_ = m.specular;
-}
+constexpr float kMinimumCoatCosine =
+    1e-3f;                        ///< a coat's own normal is bent towards wo, like the shading normal
+constexpr float kCoatF0 = 0.04f;  ///< KHR_materials_clearcoat: an index of 1.5
 
-Bsdf::Value Bsdf::evaluate(vec3 wo, vec3 wi) const {
-  Value value;
-  if (wo.z <= 0.0f || wi.z <= 0.0f) return value;
-  const vec3 half = glm::normalize(wo + wi);
-  const float schlick = ggx::schlickWeight(glm::dot(wo, half));
-  if (hasDiffuse()) {
-    const float transmitted = 1.0f - glm::mix(dielectricF0_, dielectricF90_, schlick);
-    value.diffuse = diffuseAlbedo_ * (transmitted * wi.z / kPi);
+uint32_t indexOf(Lobes lobe) { return uint32_t(std::countr_zero(uint32_t(lobe))); }
+
+}  // namespace
+
+Bsdf::Bsdf(const MaterialSample& m, vec3 wo, const Interface& interface, vec3 coatNormal)
+    : fresnel_(m, interface), specular_(m, fresnel_, wo, interface), wo_(wo) {
+  if (m.unlit) {
+    emission_ = m.baseColor;
+    return;
   }
-  if (hasGlossy()) {
-    const float microfacets = ggx::distribution(half, alpha_) * ggx::visibility(wi.z, wo.z, alpha_);
-    value.glossy = glm::mix(f0_, Rgb(f90_), schlick) * (microfacets * wi.z);
+  float base = 1.0f;
+  if (m.clearcoat > 0.0f && !interface.inside) {
+    coatNormal_ = raiseAboveHorizon(coatNormal, wo, kMinimumCoatCosine);
+    orthonormalBasis(coatNormal_, coatTangent_, coatBitangent_);
+    const float nDotV = glm::dot(coatNormal_, wo);
+    const vec2 ab = albedoTable().specular(m.clearcoatRoughness, nDotV);
+    coatAlpha_ = ggx::alphaOf(m.clearcoatRoughness);
+    coatAlbedo_ = ab.x + ab.y;
+    weight_[indexOf(kCoat)] = Rgb(m.clearcoat * glm::mix(kCoatF0, 1.0f, ggx::schlickWeight(nDotV)));
+    base -= weight_[indexOf(kCoat)].x;
   }
-  return value;
-}
-
-Rgb Bsdf::glossyAlbedo(float nDotV) const {
-  const vec2 ab = albedoTable().specular(roughness_, nDotV);
-  return f0_ * ab.x + f90_ * ab.y;
-}
-
-float Bsdf::glossyProbability(vec3 wo) const {
-  if (!hasDiffuse()) return 1.0f;
-  if (!hasGlossy()) return 0.0f;
-  const float glossy = luminance(glossyAlbedo(wo.z)), diffuse = luminance(diffuseAlbedo_);
-  return glossy / (glossy + diffuse);
-}
-
-vec3 Bsdf::sampleGlossy(vec3 wo, vec2 random, Rgb& weight) const {
-  const vec3 half = ggx::sampleVisibleNormal(wo, alpha_, random);
-  const vec3 wi = glm::reflect(-wo, half);
-  weight = Rgb(0.0f);
-  if (wo.z <= 0.0f || wi.z <= 0.0f) return wi;
-  // f cos / density = F G2 / G1: D cancels, so the weight stays exact however narrow the lobe is.
-  const float vDotH = glm::dot(wo, half);
-  const float shadowing =
-      ggx::visibility(wi.z, wo.z, alpha_) * 4.0f * wi.z * wo.z / ggx::masking(wo.z, alpha_);
-  weight = glm::mix(f0_, Rgb(f90_), ggx::schlickWeight(vDotH)) * shadowing;
-  return wi;
-}
-
-vec3 Bsdf::sample(vec3 wo, float choice, vec2 random) const {
-  if (choice < glossyProbability(wo)) return glm::reflect(-wo, ggx::sampleVisibleNormal(wo, alpha_, random));
-  const float radius = std::sqrt(random.x), phi = 2.0f * kPi * random.y;
-  return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - random.x))};
-}
-
-float Bsdf::density(vec3 wo, vec3 wi) const {
-  if (wo.z <= 0.0f || wi.z <= 0.0f) return 0.0f;
-  const float glossy = glossyProbability(wo);
-  float result = (1.0f - glossy) * wi.z / kPi;
-  if (glossy > 0.0f) {
-    const vec3 half = glm::normalize(wo + wi);
-    result += glossy * ggx::visibleNormalDensity(wo, half, alpha_) / (4.0f * glm::dot(wo, half));
+  emission_ = base * m.emission;
+  if (maxComponent(m.sheenColor) > 0.0f && !interface.inside) {
+    sheenAlpha_ = sheen::alphaOf(m.sheenRoughness);
+    sheenAlbedo_ = sheen::albedo(m.sheenRoughness, wo.z);
+    weight_[indexOf(kSheen)] = base * m.sheenColor;
+    base *= 1.0f - maxComponent(m.sheenColor) * sheenAlbedo_;
   }
-  return result;
+  const float scattered = base * (1.0f - m.metallic) * (1.0f - m.transmission);
+  weight_[indexOf(kDiffuse)] = scattered * (1.0f - m.diffuseTransmission) * m.baseColor;
+  weight_[indexOf(kDiffuseTransmit)] = scattered * m.diffuseTransmission * m.diffuseTransmissionColor;
+  if (specular_.isPresent()) weight_[indexOf(kSpecular)] = Rgb(base);
+  chooseProbabilities();
+}
+
+void Bsdf::chooseProbabilities() {
+  const std::array<Rgb, kCount> albedo = {Rgb(1.0f), Rgb(1.0f), specular_.albedo(), Rgb(sheenAlbedo_),
+                                          Rgb(coatAlbedo_)};
+  for (size_t i = 0; i < kCount; ++i) probability_[i] = luminance(weight_[i] * albedo[i]);
+}
+
+bool Bsdf::has(uint32_t lobes) const {
+  for (uint32_t i = 0; i < kCount; ++i)
+    if ((lobes >> i & 1) && probability_[i] > 0.0f) return true;
+  return false;
+}
+
+uint32_t Bsdf::viewDependentCount() const {
+  return uint32_t(has(kSpecular)) + uint32_t(has(kSpecular) && specular_.transmits()) +
+         uint32_t(has(kSheen)) + uint32_t(has(kCoat));
+}
+
+Rgb Bsdf::viewDependentAlbedo() const {
+  return weight_[indexOf(kSpecular)] * specular_.albedo() + weight_[indexOf(kSheen)] * sheenAlbedo_ +
+         weight_[indexOf(kCoat)] * coatAlbedo_;
+}
+
+LobeValue Bsdf::evaluate(vec3 wi, uint32_t lobes) const {
+  LobeValue sum;
+  float total = 0.0f;
+  for (uint32_t i = 0; i < kCount; ++i) {
+    if (!(lobes >> i & 1) || probability_[i] <= 0.0f) continue;
+    total += probability_[i];
+    sum.add(evaluateLobe(i, wi), weight_[i], probability_[i]);
+  }
+  if (total > 0.0f) sum.density /= total;
+  return sum;
+}
+
+LobeSample Bsdf::sample(float choice, vec2 random, uint32_t lobes) const {
+  float total = 0.0f;
+  for (uint32_t i = 0; i < kCount; ++i)
+    if (lobes >> i & 1) total += probability_[i];
+  float left = choice * total;
+  for (uint32_t i = kCount; i-- > 0;) {
+    if (!(lobes >> i & 1) || probability_[i] <= 0.0f) continue;
+    if (left >= probability_[i] && has(lobes & ((1u << i) - 1))) {
+      left -= probability_[i];
+      continue;
+    }
+    LobeSample drawn = sampleLobe(i, std::clamp(left / probability_[i], 0.0f, 0x1.fffffep-1f), random);
+    drawn.weight *= weight_[i] * (total / probability_[i]);
+    return drawn;
+  }
+  return {};
+}
+
+LobeValue Bsdf::evaluateLobe(uint32_t index, vec3 wi) const {
+  switch (1u << index) {
+    case kDiffuse:
+      return lambert(wi, 1.0f);
+    case kDiffuseTransmit:
+      return lambert(wi, -1.0f);
+    case kSpecular:
+      return specular_.evaluate(wi);
+    case kSheen:
+      return sheen(wi);
+    default:
+      return coat(wi);
+  }
+}
+
+LobeValue Bsdf::lambert(vec3 wi, float side) const {
+  wi.z *= side;
+  if (wi.z <= 0.0f) return {};
+  const float vDotH = glm::dot(wo_, glm::normalize(wo_ + wi));
+  return {Rgb((1.0f - fresnel_.dielectric(vDotH)) * wi.z / kPi), wi.z / kPi};
+}
+
+LobeValue Bsdf::sheen(vec3 wi) const {
+  if (wi.z <= 0.0f) return {};
+  const vec3 half = glm::normalize(wo_ + wi);
+  return {Rgb(sheen::distribution(half, sheenAlpha_) * sheen::visibility(wi.z, wo_.z, sheenAlpha_) * wi.z),
+          kUniformHemisphereDensity};
+}
+
+LobeValue Bsdf::coat(vec3 wi) const {
+  const float nDotL = glm::dot(wi, coatNormal_), nDotV = glm::dot(wo_, coatNormal_);
+  if (wi.z <= 0.0f || nDotL <= 0.0f) return {};
+  const vec3 half = glm::normalize(wo_ + wi);
+  const vec3 local(glm::dot(half, coatTangent_), glm::dot(half, coatBitangent_), glm::dot(half, coatNormal_));
+  const vec3 view(glm::dot(wo_, coatTangent_), glm::dot(wo_, coatBitangent_), nDotV);
+  return {Rgb(ggx::distribution(local, coatAlpha_) * ggx::visibility(nDotL, nDotV, coatAlpha_) * nDotL),
+          ggx::visibleNormalDensity(view, local, coatAlpha_) / (4.0f * glm::dot(wo_, half))};
+}
+
+LobeSample Bsdf::sampleLobe(uint32_t index, float choice, vec2 random) const {
+  switch (1u << index) {
+    case kDiffuse:
+      return {cosineDirection(random)};
+    case kDiffuseTransmit:
+      return {cosineDirection(random) * vec3(1, 1, -1)};
+    case kSpecular:
+      return specular_.sample(choice, random);
+    case kSheen:
+      return {uniformDirection(random)};
+    default: {
+      const vec3 view(glm::dot(wo_, coatTangent_), glm::dot(wo_, coatBitangent_), glm::dot(wo_, coatNormal_));
+      const vec3 half = ggx::sampleVisibleNormal(view, coatAlpha_, random);
+      const vec3 wi = glm::reflect(-view, half);
+      return {wi.x * coatTangent_ + wi.y * coatBitangent_ + wi.z * coatNormal_};
+    }
+  }
 }
 
 }  // namespace boxlight

@@ -1,53 +1,68 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "bake/scene/material.h"
-#include "common/base/math.h"
+#include <array>
+
+#include "bake/transport/specular_lobe.h"
 
 namespace boxlight {
 
-/// glTF 2.0 metallic-roughness with KHR_materials_specular (the specification's appendix B.2 and B.3), at one
-/// point, in the local frame (z = shading normal, both directions away from the surface):
-///   f = mix(fresnel_mix(Lambert, GGX), conductor, metallic)
-///     = baseColor (1 - metallic)/pi (1 - F_d(v.h)) + D V F(v.h)
-/// F is Schlick's from f0 to f90; F_d is the dielectric's largest channel. GGX with height-correlated Smith
-/// masking.
+/// Parts of a BSDF, as bits.
+enum Lobes : uint32_t {
+  kDiffuse = 1,          ///< Lambert
+  kDiffuseTransmit = 2,  ///< Lambert, to the other side
+  kSpecular = 4,         ///< reflection and transmission by microfacets
+  kSheen = 8,
+  kCoat = 16,
+  kViewDependent = kSpecular | kSheen | kCoat,  ///< what a kernel has to store for each view
+  kAllLobes = 31,
+};
+
+/// glTF 2.0 metallic-roughness with the ratified Khronos extensions (docs/theory.md, section 3), at one
+/// point, as seen from wo: the local frame's z is the shading normal, its x the anisotropy's direction, all
+/// directions point away from the surface, wo.z > 0; wi.z < 0 is the other side.
+///   f = w_c coat + (1 - w_c) (sheen + a_s base)
+///   base = mix(fresnel_mix(mix(mix(Lambert, Lambert transmission, d), specular transmission, t), GGX),
+///   conductor, metallic)
+/// The weights of coat and sheen depend on wo alone, so a pixel can multiply them back exactly.
 class Bsdf {
  public:
-  explicit Bsdf(const MaterialSample& material);
+  Bsdf(const MaterialSample& material, vec3 wo, const Interface& interface = {}, vec3 coatNormal = {0, 0, 1});
+  Bsdf(const Bsdf&) = delete;
 
-  struct Value {
-    Rgb diffuse{0.0f}, glossy{0.0f};
-    Rgb sum() const { return diffuse + glossy; }
-  };
-  /// f * wi.z of both parts; zero unless wo.z > 0 and wi.z > 0.
-  Value evaluate(vec3 wo, vec3 wi) const;
-  /// A direction; it may lie below the horizon, where evaluate is zero. `choice` picks the part.
-  vec3 sample(vec3 wo, float choice, vec2 random) const;
-  /// The density of sample(), per steradian.
-  float density(vec3 wo, vec3 wi) const;
+  /// The sum over `lobes` of f |cos wi|, and the density of sample() with the same lobes.
+  LobeValue evaluate(vec3 wi, uint32_t lobes = kAllLobes) const;
+  /// A direction; evaluate may be zero there. `choice` picks the lobe.
+  LobeSample sample(float choice, vec2 random, uint32_t lobes = kAllLobes) const;
 
-  /// A direction from the GGX part alone and f cos / density of it; 0 below the horizon.
-  vec3 sampleGlossy(vec3 wo, vec2 random, Rgb& weight) const;
+  /// Directional albedo of the view-dependent lobes as the pixel multiplies it back.
+  Rgb viewDependentAlbedo() const;
+  /// Radiance that the surface emits towards wo.
+  Rgb emission() const { return emission_; }
 
-  /// Directional albedo of the GGX part, by the table that the pixel multiplies back (directional_albedo.h).
-  Rgb glossyAlbedo(float nDotV) const;
-
-  const Rgb& diffuseAlbedo() const {
-    return diffuseAlbedo_;
-  }  ///< baseColor (1 - metallic), without its Fresnel factor
-  const Rgb& f0() const { return f0_; }
-  float alpha() const { return alpha_; }
-  bool hasGlossy() const { return f90_ > 0.0f || maxComponent(f0_) > 0.0f; }
-  bool hasDiffuse() const { return maxComponent(diffuseAlbedo_) > 0.0f; }
+  bool has(uint32_t lobes) const;
+  /// Number of view-dependent lobes whose directions differ: reflection, transmission, sheen, coat.
+  uint32_t viewDependentCount() const;
+  Rgb f0() const { return fresnel_.f0(); }
+  vec2 alpha() const { return specular_.alpha(); }
 
  private:
-  float glossyProbability(vec3 wo) const;
+  static constexpr size_t kCount = 5;
+  LobeValue evaluateLobe(uint32_t index, vec3 wi) const;
+  LobeValue lambert(vec3 wi, float side) const;
+  LobeValue sheen(vec3 wi) const;
+  LobeValue coat(vec3 wi) const;
+  LobeSample sampleLobe(uint32_t index, float choice, vec2 random) const;
+  void chooseProbabilities();
 
-  Rgb diffuseAlbedo_, f0_;
-  float f90_;
-  float dielectricF0_, dielectricF90_;  ///< of the diffuse part's Fresnel factor
-  float roughness_, alpha_;
+  Fresnel fresnel_;
+  SpecularLobe specular_;
+  vec3 wo_;
+  vec3 coatNormal_, coatTangent_, coatBitangent_;
+  float coatAlpha_ = 1, coatAlbedo_ = 0, sheenAlpha_ = 1, sheenAlbedo_ = 0;
+  Rgb emission_{0.0f};
+  std::array<Rgb, kCount> weight_{};         ///< of each lobe, by the bit's number
+  std::array<float, kCount> probability_{};  ///< not normalised
 };
 
 }  // namespace boxlight

@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <cstring>
+#include <span>
 
 #include "common/base/error.h"
+#include "common/base/file.h"
 
 namespace boxlight {
 
@@ -24,21 +26,34 @@ struct Intersector::Impl {
 
 namespace {
 
-bool isMasked(const Scene& scene) {
+constexpr uint32_t kCutOut = asset::kAlphaMask | asset::kAlphaBlend;
+
+bool hasCutOuts(const Scene& scene) {
   for (const asset::Material& material : scene.materials)
-    if (material.flags & asset::kAlphaMask) return true;
+    if (material.flags & kCutOut) return true;
   return false;
 }
 
+/// A number of [0,1) from a ray and a triangle.
+float hashOf(const RTCFilterFunctionNArguments* arguments, uint32_t triangle) {
+  const float words[6] = {RTCRayN_org_x(arguments->ray, 1, 0), RTCRayN_org_y(arguments->ray, 1, 0),
+                          RTCRayN_org_z(arguments->ray, 1, 0), RTCRayN_dir_x(arguments->ray, 1, 0),
+                          RTCRayN_dir_y(arguments->ray, 1, 0), RTCRayN_dir_z(arguments->ray, 1, 0)};
+  return float(xxh64(std::as_bytes(std::span(words)), triangle) >> 40) * 0x1p-24f;
+}
+
 /// Embree calls it for one ray at a time, since only rtcIntersect1 and rtcOccluded1 are used.
-void dropMasked(const RTCFilterFunctionNArguments* arguments) {
+void dropCutOuts(const RTCFilterFunctionNArguments* arguments) {
   const Scene& scene = *static_cast<const Scene*>(arguments->geometryUserPtr);
   const uint32_t triangle = RTCHitN_primID(arguments->hit, arguments->N, 0);
   const asset::Material& material = scene.materials[scene.triangles[triangle].material];
-  if (!(material.flags & asset::kAlphaMask)) return;
+  if (!(material.flags & kCutOut)) return;
   const SurfacePoint point{
       triangle, {RTCHitN_u(arguments->hit, arguments->N, 0), RTCHitN_v(arguments->hit, arguments->N, 0)}};
-  if (sampleAlpha(scene, point) < material.alphaCutoff) arguments->valid[0] = 0;
+  const float alpha = sampleAlpha(scene, point);
+  const bool there = material.flags & asset::kAlphaMask ? alpha >= material.alphaCutoff
+                                                        : hashOf(arguments, triangle) < alpha;
+  if (!there) arguments->valid[0] = 0;
 }
 
 RTCGeometry makeGeometry(RTCDevice device, const Scene& scene) {
@@ -54,9 +69,9 @@ RTCGeometry makeGeometry(RTCDevice device, const Scene& scene) {
   for (size_t i = 0; i < scene.triangles.size(); ++i)
     std::memcpy(indices + 3 * i, scene.triangles[i].vertex, 12);
   rtcSetGeometryUserData(geometry, const_cast<Scene*>(&scene));
-  if (isMasked(scene)) {
-    rtcSetGeometryIntersectFilterFunction(geometry, dropMasked);
-    rtcSetGeometryOccludedFilterFunction(geometry, dropMasked);
+  if (hasCutOuts(scene)) {
+    rtcSetGeometryIntersectFilterFunction(geometry, dropCutOuts);
+    rtcSetGeometryOccludedFilterFunction(geometry, dropCutOuts);
   }
   rtcCommitGeometry(geometry);
   return geometry;
@@ -67,7 +82,7 @@ RTCRay makeRay(const Ray& ray) {
   r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
   r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
   r.tnear = 0.0f;
-  r.tfar = std::numeric_limits<float>::infinity();
+  r.tfar = ray.limit;
   r.mask = ~0u;
   return r;
 }
@@ -101,12 +116,18 @@ Intersector::~Intersector() = default;
 const Scene& Intersector::scene() const { return impl_->scene; }
 
 std::optional<SurfacePoint> Intersector::intersect(const Ray& ray) const {
+  float distance;
+  return intersect(ray, distance);
+}
+
+std::optional<SurfacePoint> Intersector::intersect(const Ray& ray, float& distance) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query{};
   query.ray = makeRay(ray);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(impl_->world, &context, &query);
+  distance = query.ray.tfar;
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return SurfacePoint{query.hit.primID, {query.hit.u, query.hit.v}};
 }

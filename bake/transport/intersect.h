@@ -12,12 +12,15 @@ namespace boxlight {
 
 struct Ray {
   vec3 origin{0.0f}, direction{0.0f};
+  float limit = std::numeric_limits<float>::infinity();  ///< nothing beyond this distance is met
 };
 
 /// Ray queries on a scene, by Embree. A surface whose alphaMode is MASK is not there where its alpha is below
-/// the cutoff. Every other surface stops a ray from both sides: culling is a matter of the camera, not of
-/// light (docs/theory.md). The scene must outlive it. Queries are thread-safe; the same scene gives the same
-/// hits whatever the number of threads.
+/// the cutoff; one of BLEND is there with the probability alpha, decided by a hash of the ray and the
+/// triangle: for many rays that is its mean transmittance, and the same ray always meets the same. Every
+/// other surface stops a ray from both sides: culling is a matter of the camera, not of light
+/// (docs/theory.md). The scene must outlive it. Queries are thread-safe; the same scene gives the same hits
+/// whatever the number of threads.
 class Intersector {
  public:
   explicit Intersector(const Scene& scene);
@@ -26,6 +29,8 @@ class Intersector {
   Intersector& operator=(const Intersector&) = delete;
 
   std::optional<SurfacePoint> intersect(const Ray& ray) const;
+  /// `distance` is that of the point, or the ray's limit.
+  std::optional<SurfacePoint> intersect(const Ray& ray, float& distance) const;
   bool occluded(const Ray& ray) const;  ///< does anything stand between the origin and infinity?
   const Scene& scene() const;
 

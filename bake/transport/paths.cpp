@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/transport/paths.h"
 
-#include <cmath>
-
 #include "bake/transport/bsdf.h"
+#include "bake/transport/warp.h"
 #include "common/light/light_domain.h"
 
 namespace boxlight {
 namespace {
 
-constexpr int kMaskTries = 16;  ///< points drawn on a texel before it counts as cut away by its mask
+constexpr int kMaskTries = 16;        ///< points drawn on a texel before it counts as cut away by its mask
+constexpr uint32_t kReachPaths = 64;  ///< of isReached
+constexpr int kReachBounces = 8;
 
-vec3 cosineDirection(vec2 random) {
-  const float radius = std::sqrt(random.x), phi = 2.0f * kPi * random.y;
-  return {radius * std::cos(phi), radius * std::sin(phi), std::sqrt(std::max(0.0f, 1.0f - random.x))};
+bool hasVolumes(const Scene& scene) {
+  return std::any_of(scene.materials.begin(), scene.materials.end(),
+                     [](const asset::Material& m) { return m.flags & asset::kVolume; });
 }
 
 }  // namespace
+
+void KernelPaths::clear() {
+  deposits.clear();
+  emitted = dvec3(0.0);
+  traced = 0;
+  removed = 0;
+}
 
 bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const {
   const Scene& scene = world_.scene();
@@ -31,57 +39,114 @@ bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfaceP
   return false;
 }
 
-void PathTracer::leave(const SurfaceView& first, vec3 direction, Rgb throughput, Sampler& sampler,
-                       std::vector<Deposit>& deposits) const {
+void PathTracer::deposit(vec3 direction, Rgb throughput, KernelPaths& paths) const {
+  const float largest = maxComponent(throughput);
+  if (largest > limits_.throughput) {
+    const Rgb kept = throughput * (limits_.throughput / largest);
+    paths.removed += double(luminance(throughput - kept));
+    throughput = kept;
+  }
+  paths.deposits.push_back({directionToUv(direction), throughput});
+}
+
+void PathTracer::leave(const SurfaceView& first, PathState path, Sampler& sampler, KernelPaths& paths) const {
   const Scene& scene = world_.scene();
   SurfaceView surface = first;
   for (uint32_t bounce = 0;; ++bounce) {
-    const auto next = world_.intersect(leaveSurface(scene, surface, direction));
-    if (!next) {
-      deposits.push_back({directionToUv(direction), throughput});
-      return;
-    }
-    if (!continuePath(bounce, maximumBounces_, throughput, sampler)) return;
-    surface = viewSurface(scene, *next, -direction);
-    if (scatter(surface, Bsdf(surface.material), direction, throughput, sampler) == 0.0f) return;
+    Ray ray = leaveSurface(scene, surface, path.direction);
+    const Travel next = travel(world_, path.media, ray, path.throughput, sampler);
+    path.direction = ray.direction;
+    if (!(maxComponent(path.throughput) > 0.0f)) return;
+    if (!next.point) return deposit(path.direction, path.throughput, paths);
+    surface = viewSurface(scene, *next.point, -path.direction, path.media);
+    const Bsdf bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
+                    surface.coatNormal);
+    paths.emitted += dvec3(path.throughput) * dvec3(bsdf.emission());
+    if (!continuePath(bounce, limits_.bounces, path.throughput, sampler)) return;
+    if (scatter(surface, bsdf, path, sampler) == 0.0f) return;
   }
 }
 
-uint32_t PathTracer::traceLambert(const PathOrigin& origin, const StreamKey& key, uint32_t pathCount,
-                                  std::vector<Deposit>& deposits) const {
-  uint32_t traced = 0;
+void PathTracer::traceLambert(const PathOrigin& origin, const StreamKey& key, uint32_t pathCount,
+                              KernelPaths& paths) const {
   for (uint32_t path = 0; path < pathCount; ++path) {
     Sampler sampler(key, path);
     SurfacePoint point;
     if (!startPoint(origin, sampler, point)) continue;
-    ++traced;
-    const SurfaceView surface = viewSurfaceSide(world_.scene(), point, origin.normal, origin.back);
+    ++paths.traced;
+    const SurfaceView surface =
+        viewSurfaceSide(world_.scene(), point, origin.normal, origin.back, origin.media);
     const vec3 direction = surface.toWorld(cosineDirection(sampler.next2()));
     if (glm::dot(direction, surface.geometricNormal) > 0.0f)
-      leave(surface, direction, Rgb(1.0f), sampler, deposits);
+      leave(surface, {direction, Rgb(1.0f), origin.media}, sampler, paths);
   }
-  return traced;
 }
 
-uint32_t PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey& key, uint32_t pathCount,
-                                 std::vector<Deposit>& deposits) const {
-  uint32_t traced = 0;
+void PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey& key, uint32_t pathCount,
+                             KernelPaths& paths) const {
   for (uint32_t path = 0; path < pathCount; ++path) {
     Sampler sampler(key, path);
     SurfacePoint point;
     if (!startPoint(origin, sampler, point)) continue;
-    const SurfaceView surface = viewSurfaceSide(world_.scene(), point, wo, origin.back);
-    const Bsdf bsdf(surface.material);
-    if (!bsdf.hasGlossy())
+    const SurfaceView surface = viewSurfaceSide(world_.scene(), point, wo, origin.back, origin.media);
+    const Bsdf bsdf(surface.material, surface.toLocal(wo), surface.interface, surface.coatNormal);
+    if (!bsdf.has(kViewDependent))
       continue;  // another material's part of the texel: its pixels do not ask for this kernel
-    ++traced;
-    const vec3 local = surface.toLocal(wo);
-    Rgb weight;
-    const vec3 direction = surface.toWorld(bsdf.sampleGlossy(local, sampler.next2(), weight));
-    if (maxComponent(weight) <= 0.0f || glm::dot(direction, surface.geometricNormal) <= 0.0f) continue;
-    leave(surface, direction, weight / glm::max(bsdf.glossyAlbedo(local.z), Rgb(1e-6f)), sampler, deposits);
+    ++paths.traced;
+    const vec2 random = sampler.next2();
+    const LobeSample drawn = bsdf.sample(sampler.next(), random, kViewDependent);
+    PathState state{-wo, Rgb(1.0f), origin.media};
+    if (!turnPath(surface, drawn, state)) continue;
+    const LobeValue lobe =
+        drawn.delta ? LobeValue{drawn.weight, 1.0f} : bsdf.evaluate(drawn.wi, kViewDependent);
+    if (!(lobe.density > 0.0f) || maxComponent(lobe.value) <= 0.0f) continue;
+    state.throughput = lobe.value / lobe.density / glm::max(bsdf.viewDependentAlbedo(), Rgb(1e-6f));
+    leave(surface, state, sampler, paths);
   }
-  return traced;
+}
+
+bool PathTracer::escapes(Ray ray, Sampler& sampler) const {
+  const Scene& scene = world_.scene();
+  for (int bounce = 0; bounce < kReachBounces; ++bounce) {
+    const auto point = world_.intersect(ray);
+    if (!point) return true;
+    SurfaceView surface;
+    const SurfaceFrame frame = surfaceFrame(scene, *point);
+    const float side = glm::dot(frame.geometricNormal, ray.direction) > 0.0f ? -1.0f : 1.0f;
+    surface.normal = side * frame.geometricNormal;
+    orthonormalBasis(surface.normal, surface.tangent, surface.bitangent);
+    ray = {offsetOrigin(scene, *point, frame.position, surface.normal),
+           surface.toWorld(cosineDirection(sampler.next2()))};
+  }
+  return false;
+}
+
+bool PathTracer::isReached(const PathOrigin& origin, const StreamKey& key) const {
+  for (uint32_t path = 0; path < kReachPaths; ++path) {
+    Sampler sampler(key, path);
+    SurfacePoint point;
+    if (!startPoint(origin, sampler, point)) continue;
+    const SurfaceView surface = viewSurfaceSide(world_.scene(), point, origin.normal, origin.back);
+    const vec3 direction = surface.toWorld(cosineDirection(sampler.next2()));
+    if (glm::dot(direction, surface.geometricNormal) > 0.0f &&
+        escapes(leaveSurface(world_.scene(), surface, direction), sampler))
+      return true;
+  }
+  return false;
+}
+
+MediumStack mediaAround(const Intersector& world, std::span<const FootprintPiece> footprint, bool back) {
+  const Scene& scene = world.scene();
+  if (!hasVolumes(scene)) return {};
+  const SurfacePoint point = sampleFootprint(footprint, vec2(0.5f));
+  const SurfaceFrame frame = surfaceFrame(scene, point);
+  const vec3 outward = (back ? -1.0f : 1.0f) * frame.geometricNormal;
+  MediumStack media = enclosingMedia(world, {offsetOrigin(scene, point, frame.position, outward), outward});
+  // The back of an open mesh that claims to be a volume: its medium is there, if only on this side.
+  const uint32_t material = scene.triangles[point.triangle].material;
+  if (back && (scene.materials[material].flags & asset::kVolume) && media.innermost() != material)
+    media.enter(material);
+  return media;
 }
 
 }  // namespace boxlight

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -16,6 +17,26 @@ struct PathOrigin {
   std::span<const FootprintPiece> footprint;
   bool back = false;
   vec3 normal{0, 1, 0};  ///< the texel's mean shading normal on that side
+  MediumStack media;     ///< around the surface on that side
+};
+
+struct PathLimits {
+  uint32_t bounces = kUnlimitedBounces;  ///< surface interactions at most
+  /// Deposits are scaled down to this throughput (largest channel): a policy against fireflies that costs
+  /// energy.
+  float throughput = std::numeric_limits<float>::infinity();
+};
+
+/// What the paths of one kernel brought home.
+struct KernelPaths {
+  std::vector<Deposit> deposits;
+  dvec3 emitted{0.0};   ///< sum of throughput times the radiance of emitters met
+  uint32_t traced = 0;  ///< paths, those that escaped nowhere included
+  double removed = 0;   ///< luminance that PathLimits::throughput took, summed like the deposits
+
+  void clear();
+  /// Mean radiance by way of the scene's emitters.
+  Rgb emission() const { return traced ? Rgb(emitted / double(traced)) : Rgb(0.0f); }
 };
 
 /// Backward photon tracing, docs/theory.md section 2: paths start on a texel, stratified over its surface and
@@ -23,27 +44,34 @@ struct PathOrigin {
 /// albedo back.
 class PathTracer {
  public:
-  PathTracer(const Intersector& world, uint32_t maximumBounces)
-      : world_(world), maximumBounces_(maximumBounces) {}
+  PathTracer(const Intersector& world, const PathLimits& limits) : world_(world), limits_(limits) {}
 
   /// Lambert kernel: cosine-distributed first directions of throughput 1, without albedo and Fresnel factor.
-  /// Appends the deposits and returns the number of paths, `pathCount` less those that found no surface
-  /// (MASK, or no gloss).
-  uint32_t traceLambert(const PathOrigin& origin, const StreamKey& key, uint32_t pathCount,
-                        std::vector<Deposit>& deposits) const;
+  /// On the back of a volume's boundary they lead into the medium: subsurface scattering as the front's
+  /// pixels need it. Adds up to `pathCount` paths, less those that found no surface (MASK).
+  void traceLambert(const PathOrigin& origin, const StreamKey& key, uint32_t pathCount,
+                    KernelPaths& paths) const;
 
-  /// Glossy kernel towards the unit vector wo, above the horizon of origin.normal: the GGX part divided by
-  /// its directional albedo.
-  uint32_t traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey& key, uint32_t pathCount,
-                       std::vector<Deposit>& deposits) const;
+  /// Kernel of the view-dependent lobes towards the unit vector wo, above the horizon of origin.normal,
+  /// divided by their directional albedo. Paths that find no such lobe are left out too.
+  void traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey& key, uint32_t pathCount,
+                   KernelPaths& paths) const;
+
+  /// Does light from outside reach this side of a texel at all, by any path that passes no volume's boundary?
+  /// Tried with a fixed number of diffuse paths: an opening that fewer than 1 path in 30 finds may be missed.
+  bool isReached(const PathOrigin& origin, const StreamKey& key) const;
 
  private:
   bool startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const;
-  void leave(const SurfaceView& surface, vec3 direction, Rgb throughput, Sampler& sampler,
-             std::vector<Deposit>& deposits) const;
+  void leave(const SurfaceView& surface, PathState path, Sampler& sampler, KernelPaths& paths) const;
+  void deposit(vec3 direction, Rgb throughput, KernelPaths& paths) const;
+  bool escapes(Ray ray, Sampler& sampler) const;
 
   const Intersector& world_;
-  uint32_t maximumBounces_;
+  PathLimits limits_;
 };
+
+/// The media around one side of a texel; empty where the scene has no volumes.
+MediumStack mediaAround(const Intersector& world, std::span<const FootprintPiece> footprint, bool back);
 
 }  // namespace boxlight

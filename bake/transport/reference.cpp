@@ -31,6 +31,20 @@ struct PixelSum {
   double coverage = 0;
 };
 
+/// Luminance of a row's samples, and what the limit took of it.
+struct RowEnergy {
+  double all = 0, removed = 0;
+};
+
+Rgb limited(Rgb radiance, float limit, RowEnergy& energy) {
+  const float largest = maxComponent(radiance);
+  energy.all += double(luminance(radiance));
+  if (!(largest > limit)) return radiance;
+  const Rgb kept = radiance * (limit / largest);
+  energy.removed += double(luminance(radiance - kept));
+  return kept;
+}
+
 std::optional<SurfacePoint> intersectCamera(const Intersector& world, Ray ray) {
   for (int layer = 0; layer < kMaximumLayers; ++layer) {
     const auto point = world.intersect(ray);
@@ -52,6 +66,8 @@ ReferencePicture renderPicture(const Intersector& world, const EnvironmentSample
                                const RadianceEstimator& estimate) {
   const uvec2 size = camera.size;
   ReferencePicture picture{makeImage(size.x, size.y, 4), makeImage(size.x, size.y, 3)};
+  const MediumStack media = enclosingMedia(world, {camera.eye, -camera.forward});
+  std::vector<RowEnergy> rows(size.y);
   Progress progress("render", size.y, options.progress);
   auto renderPixel = [&](uint32_t x, uint32_t y) {
     PixelSum sum;
@@ -59,7 +75,7 @@ ReferencePicture renderPicture(const Intersector& world, const EnvironmentSample
       Sampler sampler({options.seed, y * size.x + x, kPictureStream}, s);
       const vec3 direction = camera.direction(vec2(x, y) + sampler.next2());
       if (const auto point = intersectCamera(world, {camera.eye, direction}))
-        sum.add(estimate(*point, direction, sampler), 1.0f);
+        sum.add(limited(estimate(*point, direction, media, sampler), options.radianceLimit, rows[y]), 1.0f);
       else if (options.background)
         sum.add(environment.radiance(direction), 1.0f);
       else
@@ -77,16 +93,20 @@ ReferencePicture renderPicture(const Intersector& world, const EnvironmentSample
     progress.advance();
   });
   throwIfInterrupted("interrupted: no picture was written");
+  RowEnergy total;
+  for (const RowEnergy& row : rows) total.all += row.all, total.removed += row.removed;
+  picture.removed = total.all > 0.0 ? total.removed / total.all : 0.0;
   return picture;
 }
 
 ReferencePicture renderReference(const Intersector& world, const EnvironmentSampler& environment,
                                  const Camera& camera, const ReferenceOptions& options) {
   const ReferenceIntegrator<Bsdf> integrator(world, environment, options.bounces);
-  return renderPicture(world, environment, camera, options,
-                       [&](const SurfacePoint& point, vec3 direction, Sampler& sampler) {
-                         return integrator.radiance(point, direction, sampler);
-                       });
+  return renderPicture(
+      world, environment, camera, options,
+      [&](const SurfacePoint& point, vec3 direction, const MediumStack& media, Sampler& sampler) {
+        return integrator.radiance(point, direction, media, sampler);
+      });
 }
 
 }  // namespace boxlight

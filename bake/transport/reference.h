@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 
 #include "bake/transport/environment_sampler.h"
 #include "bake/transport/intersect.h"
@@ -18,17 +19,22 @@ struct ReferenceOptions {
       kUnlimitedBounces;  ///< surface interactions of a path at most; Russian roulette ends them before
   uint64_t seed = 0;
   bool background = true;  ///< draw the environment behind the object
+  /// Samples are scaled down to this radiance (largest channel): a policy against fireflies that costs
+  /// energy.
+  float radianceLimit = std::numeric_limits<float>::infinity();
   ProgressStyle progress = ProgressStyle::none;
 };
 
 /// A path-traced picture with its own error estimate.
 struct ReferencePicture {
-  Image mean;      ///< RGBA, premultiplied; A is the object's coverage, or 1 with a background
-  Image variance;  ///< RGB: of each channel's mean, from the spread of its samples
+  Image mean;          ///< RGBA, premultiplied; A is the object's coverage, or 1 with a background
+  Image variance;      ///< RGB: of each channel's mean, from the spread of its samples
+  double removed = 0;  ///< by ReferenceOptions::radianceLimit, as a part of the picture's luminance
 };
 
-/// Radiance that leaves a surface point against `direction`, estimated by one path.
-using RadianceEstimator = std::function<Rgb(const SurfacePoint& point, vec3 direction, Sampler& sampler)>;
+/// Radiance that leaves a surface point against `direction` into `media`, estimated by one path.
+using RadianceEstimator =
+    std::function<Rgb(const SurfacePoint& point, vec3 direction, const MediumStack& media, Sampler& sampler)>;
 
 /// Means of `estimate` over the pixels' squares, environment behind. Deterministic for a seed, whatever the
 /// threads. Back faces of single-sided materials are invisible to the camera, and to nothing else. Throws

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cmath>
+
 #include "bake/transport/environment_sampler.h"
 #include "bake/transport/intersect.h"
 #include "bake/transport/scatter.h"
@@ -9,13 +11,14 @@ namespace boxlight {
 
 /// Power heuristic: Veach, "Robust Monte Carlo Methods for Light Transport Simulation", 1997, section 9.2.
 inline float powerHeuristic(float density, float other) {
+  if (std::isinf(density)) return 1.0f;
   const double a = double(density) * density, b = double(other) * other;
   return a > 0 ? float(a / (a + b)) : 0.0f;
 }
 
-/// Unbiased path tracing with the environment as its only light: light sampling and BSDF sampling, combined
-/// by multiple importance sampling. BsdfModel has the members of Bsdf (bsdf.h); tests bring models of their
-/// own.
+/// Unbiased path tracing under the environment: light sampling and BSDF sampling, combined by multiple
+/// importance sampling. Emitters of the scene are found by BSDF sampling alone. BsdfModel has the members of
+/// Bsdf (bsdf.h) that are used here; tests bring models of their own.
 template <class BsdfModel>
 class ReferenceIntegrator {
  public:
@@ -23,36 +26,44 @@ class ReferenceIntegrator {
                       uint32_t maximumBounces)
       : world_(world), environment_(environment), maximumBounces_(maximumBounces) {}
 
-  /// Radiance that leaves `point` towards -direction, by one path.
-  Rgb radiance(SurfacePoint point, vec3 direction, Sampler& sampler) const {
-    Rgb result(0.0f), throughput(1.0f);
+  /// Radiance that leaves `point` towards -direction, by one path from within `media`.
+  Rgb radiance(SurfacePoint point, vec3 direction, const MediumStack& media, Sampler& sampler) const {
+    Rgb result(0.0f);
+    PathState path{direction, Rgb(1.0f), media};
     for (uint32_t bounce = 0;; ++bounce) {
-      const SurfaceView surface = viewSurface(world_.scene(), point, -direction);
-      const BsdfModel bsdf(surface.material);
-      result += throughput * directLight(surface, bsdf, surface.toLocal(-direction), sampler.next2());
-      const float density = scatter(surface, bsdf, direction, throughput, sampler);
+      const SurfaceView surface = viewSurface(world_.scene(), point, -path.direction, path.media);
+      const BsdfModel bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
+                           surface.coatNormal);
+      result += path.throughput * bsdf.emission();
+      result += path.throughput * directLight(surface, bsdf, sampler.next2());
+      float density = scatter(surface, bsdf, path, sampler);
       if (density == 0.0f) return result;
-      const auto next = world_.intersect(leaveSurface(world_.scene(), surface, direction));
-      if (!next) {
-        const float weight = powerHeuristic(density, environment_.density(direction));
-        return result + weight * throughput * environment_.radiance(direction);
+      Ray ray = leaveSurface(world_.scene(), surface, path.direction);
+      const Travel next = travel(world_, path.media, ray, path.throughput, sampler);
+      path.direction = ray.direction;
+      if (!next.point) {
+        const float weight =
+            next.scattered ? 1.0f : powerHeuristic(density, environment_.density(path.direction));
+        return result + weight * path.throughput * environment_.radiance(path.direction);
       }
-      if (!continuePath(bounce, maximumBounces_, throughput, sampler)) return result;
-      point = *next;
+      if (!continuePath(bounce, maximumBounces_, path.throughput, sampler)) return result;
+      point = *next.point;
     }
   }
 
  private:
-  Rgb directLight(const SurfaceView& surface, const BsdfModel& bsdf, vec3 wo, vec2 random) const {
+  /// Light that a medium stands in the way of is left to BSDF sampling: its boundary occludes it here.
+  Rgb directLight(const SurfaceView& surface, const BsdfModel& bsdf, vec2 random) const {
     const EnvironmentSampler::Sample light = environment_.sample(random);
-    if (!(light.density > 0.0f) || glm::dot(light.direction, surface.geometricNormal) <= 0.0f)
-      return Rgb(0.0f);
     const vec3 wi = surface.toLocal(light.direction);
-    const Rgb value = bsdf.evaluate(wo, wi).sum();
-    if (maxComponent(value) <= 0.0f ||
+    if (!(light.density > 0.0f) ||
+        (glm::dot(light.direction, surface.geometricNormal) > 0.0f) != (wi.z > 0.0f))
+      return Rgb(0.0f);
+    const LobeValue lobe = bsdf.evaluate(wi);
+    if (maxComponent(lobe.value) <= 0.0f ||
         world_.occluded(leaveSurface(world_.scene(), surface, light.direction)))
       return Rgb(0.0f);
-    return value * light.radiance * (powerHeuristic(light.density, bsdf.density(wo, wi)) / light.density);
+    return lobe.value * light.radiance * (powerHeuristic(light.density, lobe.density) / light.density);
   }
 
   const Intersector& world_;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bake/transport/sampler.h"
+#include "bake/transport/specular_lobe.h"
 #include "bake/transport/surface.h"
 
 namespace boxlight {
@@ -11,6 +12,13 @@ namespace boxlight {
 inline constexpr uint32_t kRouletteStart = 4;
 inline constexpr float kMaximumSurvival = 0.95f;  ///< so that paths end in a cavity of albedo 1, too
 inline constexpr uint32_t kUnlimitedBounces = ~0u;
+
+/// A path on its way: where it heads, what it carries and which media it is in.
+struct PathState {
+  vec3 direction{0.0f};
+  Rgb throughput{1.0f};
+  MediumStack media;
+};
 
 /// After bounce number `bounce` (0 is the first): false if the path ends by the limit or by Russian roulette,
 /// else the throughput is scaled by the inverse of its chance.
@@ -23,20 +31,34 @@ inline bool continuePath(uint32_t bounce, uint32_t limit, Rgb& throughput, Sampl
   return true;
 }
 
-/// Samples the BSDF: turns `direction` (towards the surface) into the next one (away from it) and multiplies
-/// the throughput. Returns the density per steradian of that direction, 0 if the path ends. A direction below
-/// the geometric horizon would start inside the object: it ends the path.
+/// Turns the path to the sampled direction `drawn` (local). False if its geometric side is not the one that
+/// the local frame says: it would start inside the object, or not leave it.
+inline bool turnPath(const SurfaceView& surface, const LobeSample& drawn, PathState& path) {
+  const bool crosses = drawn.wi.z < 0.0f;
+  if (!drawn.delta) path.direction = surface.toWorld(drawn.wi);  // a delta goes straight on
+  if ((glm::dot(path.direction, surface.geometricNormal) > 0.0f) == crosses) return false;
+  if (!crosses || !surface.material.volume) return true;
+  const uint32_t material = surface.materialIndex;
+  surface.back ? path.media.leave(material) : path.media.enter(material);
+  return true;
+}
+
+/// Samples the BSDF: turns the path, multiplies its throughput and lets it into or out of media. Returns the
+/// density per steradian of the new direction, infinity for one that only chance could not find, 0 if the
+/// path ends.
 template <class BsdfModel>
-float scatter(const SurfaceView& surface, const BsdfModel& bsdf, vec3& direction, Rgb& throughput,
-              Sampler& sampler) {
-  const vec3 wo = surface.toLocal(-direction);
+float scatter(const SurfaceView& surface, const BsdfModel& bsdf, PathState& path, Sampler& sampler) {
   const float choice = sampler.next();
-  const vec3 wi = bsdf.sample(wo, choice, sampler.next2());
-  const float density = bsdf.density(wo, wi);
-  direction = surface.toWorld(wi);
-  if (!(density > 0.0f) || glm::dot(direction, surface.geometricNormal) <= 0.0f) return 0.0f;
-  throughput *= bsdf.evaluate(wo, wi).sum() / density;
-  return maxComponent(throughput) > 0.0f ? density : 0.0f;
+  const LobeSample drawn = bsdf.sample(choice, sampler.next2());
+  if (!turnPath(surface, drawn, path)) return 0.0f;
+  LobeValue lobe{drawn.weight, std::numeric_limits<float>::infinity()};
+  if (!drawn.delta) {
+    lobe = bsdf.evaluate(drawn.wi);
+    if (!(lobe.density > 0.0f)) return 0.0f;
+    lobe.value /= lobe.density;
+  }
+  path.throughput *= lobe.value;
+  return maxComponent(path.throughput) > 0.0f ? lobe.density : 0.0f;
 }
 
 }  // namespace boxlight

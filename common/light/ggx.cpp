@@ -12,6 +12,9 @@ float stretchedCosine(float cosine, float alpha) {
   return std::sqrt(a2 + (1.0f - a2) * cosine * cosine);
 }
 
+/// The same for a direction: its length after the surface is stretched.
+float stretchedLength(vec3 w, vec2 alpha) { return glm::length(vec3(alpha * vec2(w), w.z)); }
+
 }  // namespace
 
 float distribution(vec3 half, float alpha) {
@@ -29,14 +32,33 @@ float visibility(float nDotL, float nDotV, float alpha) {
   return 0.5f / (nDotL * stretchedCosine(nDotV, alpha) + nDotV * stretchedCosine(nDotL, alpha));
 }
 
+float distribution(vec3 half, vec2 alpha) {
+  if (half.z <= 0.0f) return 0.0f;
+  const float slope = half.x * half.x * (alpha.y / alpha.x) + half.y * half.y * (alpha.x / alpha.y) +
+                      half.z * half.z * alpha.x * alpha.y;
+  return alpha.x * alpha.y / (kPi * slope * slope);
+}
+
+float lambda(vec3 direction, vec2 alpha) {
+  return 0.5f * (stretchedLength(direction, alpha) / direction.z - 1.0f);
+}
+
+float masking(vec3 direction, vec2 alpha) {
+  return 2.0f * direction.z / (direction.z + stretchedLength(direction, alpha));
+}
+
+float visibility(vec3 light, vec3 view, vec2 alpha) {
+  return 0.5f / (light.z * stretchedLength(view, alpha) + view.z * stretchedLength(light, alpha));
+}
+
 float schlickWeight(float vDotH) {
   const float m = std::clamp(1.0f - vDotH, 0.0f, 1.0f);
   const float m2 = m * m;
   return m2 * m2 * m;
 }
 
-vec3 sampleVisibleNormal(vec3 view, float alpha, vec2 random) {
-  const vec3 stretched = glm::normalize(vec3(alpha * view.x, alpha * view.y, view.z));
+vec3 sampleVisibleNormal(vec3 view, vec2 alpha, vec2 random) {
+  const vec3 stretched = glm::normalize(vec3(alpha * vec2(view), view.z));
   // Half is `stretched` plus a uniform point of the cap of the unit sphere above -stretched.z. Its height is
   // found before the point's, so that it never cancels to zero.
   const float height = (1.0f - random.y) * (1.0f + stretched.z), z = height - stretched.z;
@@ -46,9 +68,9 @@ vec3 sampleVisibleNormal(vec3 view, float alpha, vec2 random) {
   return glm::normalize(vec3(alpha * tangential, height));
 }
 
-float visibleNormalDensity(vec3 view, vec3 half, float alpha) {
+float visibleNormalDensity(vec3 view, vec3 half, vec2 alpha) {
   const float vDotH = std::max(glm::dot(view, half), 0.0f);
-  return 2.0f * vDotH * distribution(half, alpha) / (view.z + stretchedCosine(view.z, alpha));
+  return 2.0f * vDotH * distribution(half, alpha) / (view.z + stretchedLength(view, alpha));
 }
 
 }  // namespace boxlight::ggx

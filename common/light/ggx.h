@@ -32,13 +32,26 @@ float visibility(float nDotL, float nDotV, float alpha);
 /// (1 - v.h)^5: F = F0 + (F90 - F0) * this.
 float schlickWeight(float vDotH);
 
+// The anisotropic lobe: alpha along x and y. Heitz 2014, section 5.3; with equal components, the functions
+// above.
+float distribution(vec3 half, vec2 alpha);
+float lambda(vec3 direction, vec2 alpha);
+float masking(vec3 direction, vec2 alpha);
+float visibility(vec3 light, vec3 view, vec2 alpha);
+
 /// A half vector distributed as the normals visible from `view` (view.z >= 0), from `random` in [0,1)^2.
 /// Dupuy and Benyoub, "Sampling Visible GGX Normals with Spherical Caps", HPG 2023.
-vec3 sampleVisibleNormal(vec3 view, float alpha, vec2 random);
+vec3 sampleVisibleNormal(vec3 view, vec2 alpha, vec2 random);
+inline vec3 sampleVisibleNormal(vec3 view, float alpha, vec2 random) {
+  return sampleVisibleNormal(view, vec2(alpha), random);
+}
 
 /// Density of sampleVisibleNormal per steradian of half vector: G1(v) max(0, v.h) D(h) / n.v. The density of
 /// the reflected direction is this / (4 v.h). Heitz, "Sampling the GGX Distribution of Visible Normals", JCGT
 /// 7(4), 2018.
-float visibleNormalDensity(vec3 view, vec3 half, float alpha);
+float visibleNormalDensity(vec3 view, vec3 half, vec2 alpha);
+inline float visibleNormalDensity(vec3 view, vec3 half, float alpha) {
+  return visibleNormalDensity(view, half, vec2(alpha));
+}
 
 }  // namespace boxlight::ggx

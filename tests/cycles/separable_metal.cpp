@@ -19,29 +19,24 @@ namespace {
 
 class SeparableMetal {
  public:
-  explicit SeparableMetal(const MaterialSample& m)
-      : colour_(m.baseColor), alpha_(ggx::alphaOf(m.roughness)) {}
+  SeparableMetal(const MaterialSample& m, vec3 wo, const Interface&, vec3)
+      : wo_(wo), colour_(m.baseColor), alpha_(ggx::alphaOf(m.roughness)) {}
 
-  struct Value {
-    Rgb value{0.0f};
-    Rgb sum() const { return value; }
-  };
-  Value evaluate(vec3 wo, vec3 wi) const {
-    if (wo.z <= 0.0f || wi.z <= 0.0f) return {};
-    const float microfacets = ggx::distribution(glm::normalize(wo + wi), alpha_) *
-                              ggx::masking(wo.z, alpha_) * ggx::masking(wi.z, alpha_);
-    return {colour_ * (microfacets / (4.0f * wo.z))};
+  Rgb emission() const { return Rgb(0.0f); }
+  LobeValue evaluate(vec3 wi) const {
+    if (wo_.z <= 0.0f || wi.z <= 0.0f) return {};
+    const vec3 half = glm::normalize(wo_ + wi);
+    const float microfacets =
+        ggx::distribution(half, alpha_) * ggx::masking(wo_.z, alpha_) * ggx::masking(wi.z, alpha_);
+    return {colour_ * (microfacets / (4.0f * wo_.z)),
+            ggx::visibleNormalDensity(wo_, half, alpha_) / (4.0f * glm::dot(wo_, half))};
   }
-  vec3 sample(vec3 wo, float, vec2 random) const {
-    return glm::reflect(-wo, ggx::sampleVisibleNormal(wo, alpha_, random));
-  }
-  float density(vec3 wo, vec3 wi) const {
-    if (wo.z <= 0.0f || wi.z <= 0.0f) return 0.0f;
-    const vec3 half = glm::normalize(wo + wi);
-    return ggx::visibleNormalDensity(wo, half, alpha_) / (4.0f * glm::dot(wo, half));
+  LobeSample sample(float, vec2 random) const {
+    return {glm::reflect(-wo_, ggx::sampleVisibleNormal(wo_, alpha_, random))};
   }
 
  private:
+  vec3 wo_;
   Rgb colour_;
   float alpha_;
 };
@@ -68,11 +63,11 @@ int main(int argc, char** argv) {
     const Intersector world(scene);
     const ReferenceIntegrator<SeparableMetal> integrator(world, environment, kUnlimitedBounces);
     options.background = false;
-    const ReferencePicture picture =
-        renderPicture(world, environment, makeCamera(cameraOptions, scene.boundsMin, scene.boundsMax),
-                      options, [&](const SurfacePoint& point, vec3 direction, Sampler& sampler) {
-                        return integrator.radiance(point, direction, sampler);
-                      });
+    const ReferencePicture picture = renderPicture(
+        world, environment, makeCamera(cameraOptions, scene.boundsMin, scene.boundsMax), options,
+        [&](const SurfacePoint& point, vec3 direction, const MediumStack& media, Sampler& sampler) {
+          return integrator.radiance(point, direction, media, sampler);
+        });
     writeImage(output, picture.mean);
     if (!variance.empty()) writeImage(variance, picture.variance);
   });

@@ -17,8 +17,7 @@ namespace {
 double exactDiffuse(float nDotV, int side) {
   MaterialSample material;
   material.baseColor = Rgb(1);
-  const Bsdf bsdf(material);
-  const vec3 wo(-std::sqrt(1 - nDotV * nDotV), 0, nDotV);
+  const Bsdf bsdf(material, {-std::sqrt(1 - nDotV * nDotV), 0, nDotV});
   constexpr int kRings = 400, kSectors = 800;
   double sum = 0;
   for (int i = 0; i < kRings; ++i)
@@ -27,7 +26,7 @@ double exactDiffuse(float nDotV, int side) {
                    ring = std::sqrt(1 - z * z);
       const vec3 wi(float(ring * std::cos(phi)), float(ring * std::sin(phi)), float(z));
       if (side * wi.x >= 0)
-        sum += double(bsdf.evaluate(wo, wi).diffuse.x) * 2 * kPiDouble / (kRings * kSectors);
+        sum += double(bsdf.evaluate(wi, kDiffuse).value.x) * 2 * kPiDouble / (kRings * kSectors);
     }
   return sum;
 }

@@ -8,6 +8,7 @@
 #include "bake/transport/reference.h"
 #include "bake/transport/reference_integrator.h"
 #include "common/light/light_domain.h"
+#include "tests/support/bsdf_lab.h"
 #include "tests/support/scenes.h"
 
 using namespace boxlight;
@@ -74,15 +75,8 @@ TEST(Furnace, MetalReturnsItsDirectionalAlbedo) {
       material.baseColor = {0.9f, 0.5f, 0.2f};
       material.metallic = 1;
       material.roughness = roughness;
-      dvec3 albedo(0);  // midpoint quadrature over the visible normals
-      constexpr int kSteps = 512;
-      const Bsdf bsdf(material);
-      for (int i = 0; i < kSteps * kSteps; ++i) {
-        Rgb weight;
-        bsdf.sampleGlossy({std::sqrt(1 - nDotV * nDotV), 0, nDotV},
-                          (vec2(i % kSteps, i / kSteps) + 0.5f) / float(kSteps), weight);
-        albedo += dvec3(weight) / double(kSteps * kSteps);
-      }
+      const Bsdf bsdf(material, test::directionAt(nDotV));
+      const Rgb albedo = test::sampledAlbedo(bsdf, kSpecular, 512);
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(mean[c] / albedo[c], 1, 5e-3) << "roughness " << roughness << ", n.v " << nDotV;
     }

@@ -24,10 +24,10 @@ struct OneTexel {
   TexelMap map;
 };
 
-Rgb meanThroughput(const std::vector<Deposit>& deposits, uint32_t paths) {
+Rgb meanThroughput(const KernelPaths& paths) {
   dvec3 sum(0);
-  for (const Deposit& d : deposits) sum += dvec3(d.throughput);
-  return Rgb(sum / double(paths));
+  for (const Deposit& d : paths.deposits) sum += dvec3(d.throughput);
+  return Rgb(sum / double(paths.traced));
 }
 
 }  // namespace
@@ -36,13 +36,12 @@ TEST(Paths, AnOpenLambertTexelHasACosineKernelOfEnergyOne) {
   OneTexel texel(test::lambert(Rgb(0.2f)));
   const PathOrigin origin = texel.origin();
   const Intersector world(texel.scene);
-  std::vector<Deposit> deposits;
-  const uint32_t traced =
-      PathTracer(world, kUnlimitedBounces).traceLambert(origin, {1, 0, 0}, 4096, deposits);
-  EXPECT_EQ(traced, 4096u);
-  EXPECT_EQ(meanThroughput(deposits, traced), Rgb(1));  // without its albedo
+  KernelPaths paths;
+  PathTracer(world, {}).traceLambert(origin, {1, 0, 0}, 4096, paths);
+  EXPECT_EQ(paths.traced, 4096u);
+  EXPECT_EQ(meanThroughput(paths), Rgb(1));  // without its albedo
   double cosine = 0;
-  for (const Deposit& d : deposits) cosine += double(uvToDirection(d.uv).y) / 4096;
+  for (const Deposit& d : paths.deposits) cosine += double(uvToDirection(d.uv).y) / 4096;
   EXPECT_NEAR(cosine, 2.0 / 3.0, 1e-3);
 }
 
@@ -52,11 +51,10 @@ TEST(Paths, GlossyKernelsAreDividedByTheirAlbedo) {
     const PathOrigin origin = texel.origin();
     const Intersector world(texel.scene);
     for (float cosine : {0.05f, 0.4f, 0.95f}) {
-      std::vector<Deposit> deposits;
+      KernelPaths paths;
       const vec3 wo(std::sqrt(1 - cosine * cosine), cosine, 0);
-      const uint32_t traced =
-          PathTracer(world, kUnlimitedBounces).traceGlossy(origin, wo, {1, 0, 0}, 4096, deposits);
-      const Rgb mean = meanThroughput(deposits, traced);
+      PathTracer(world, {}).traceGlossy(origin, wo, {1, 0, 0}, 4096, paths);
+      const Rgb mean = meanThroughput(paths);
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(mean[c], 1, 1e-2) << "roughness " << roughness << ", cosine " << cosine;
     }
@@ -69,13 +67,13 @@ TEST(Paths, AnInfiniteWhiteWallBouncesWhatItBlocks) {
   texel.map = makeTexels(texel.scene, 1, 1);
   texel.map.texels[0].pieceCount = 2;  // the quad's own pieces
   const Intersector world(texel.scene);
-  std::vector<Deposit> one, all;
-  const uint32_t traced = PathTracer(world, 1).traceLambert(texel.origin(), {1, 0, 0}, 16384, one);
-  EXPECT_NEAR(meanThroughput(one, traced).x, 0.5, 2e-3);
-  PathTracer(world, kUnlimitedBounces).traceLambert(texel.origin(), {1, 0, 0}, 16384, all);
+  KernelPaths one, all;
+  PathTracer(world, {.bounces = 1}).traceLambert(texel.origin(), {1, 0, 0}, 16384, one);
+  EXPECT_NEAR(meanThroughput(one).x, 0.5, 2e-3);
+  PathTracer(world, {}).traceLambert(texel.origin(), {1, 0, 0}, 16384, all);
   // The wall's own kernel is a half-sphere of which half lies below the horizon of the floor: it escapes
   // there.
-  EXPECT_NEAR(meanThroughput(all, traced).x, 1, 1e-2);
+  EXPECT_NEAR(meanThroughput(all).x, 1, 1e-2);
 }
 
 TEST(Paths, MaskedPointsAreNoPartOfTheTexel) {
@@ -85,21 +83,22 @@ TEST(Paths, MaskedPointsAreNoPartOfTheTexel) {
   OneTexel texel(material);
   const PathOrigin origin = texel.origin();
   const Intersector world(texel.scene);
-  std::vector<Deposit> deposits;
-  EXPECT_EQ(PathTracer(world, kUnlimitedBounces).traceLambert(origin, {1, 0, 0}, 64, deposits), 0u);
-  EXPECT_TRUE(deposits.empty());
+  KernelPaths paths;
+  PathTracer(world, {}).traceLambert(origin, {1, 0, 0}, 64, paths);
+  EXPECT_EQ(paths.traced, 0u);
+  EXPECT_TRUE(paths.deposits.empty());
 }
 
 TEST(Paths, BothSidesOfASheetSeeTheirOwnHalfOfTheWorld) {
   OneTexel texel(test::lambert());
   const PathOrigin front = texel.origin(false), back = texel.origin(true);
   const Intersector world(texel.scene);
-  std::vector<Deposit> above, below;
-  const PathTracer tracer(world, kUnlimitedBounces);
+  KernelPaths above, below;
+  const PathTracer tracer(world, {});
   tracer.traceLambert(front, {1, 0, 0}, 256, above);
   tracer.traceLambert(back, {1, 0, 0}, 256, below);
-  for (const Deposit& d : above) EXPECT_LT(d.uv.y, 0.5f);
-  for (const Deposit& d : below) EXPECT_GT(d.uv.y, 0.5f);
+  for (const Deposit& d : above.deposits) EXPECT_LT(d.uv.y, 0.5f);
+  for (const Deposit& d : below.deposits) EXPECT_GT(d.uv.y, 0.5f);
 }
 
 TEST(TexelBake, StoresWhatTheMaterialAsksFor) {
@@ -108,14 +107,15 @@ TEST(TexelBake, StoresWhatTheMaterialAsksFor) {
     OneTexel texel(glossy ? test::metal(0.3f) : test::lambert());
     texel.map = makeTexels(texel.scene, 1, 1);
     const Intersector world(texel.scene);
-    const auto plans = planRecords(texel.scene, texel.map);
+    const auto plans = planRecords(world, texel.map);
     ASSERT_EQ(plans.size(), 1u);
     TexelBaker baker(world, texel.map, sphere, {.paths = 64, .boxes = 4});
-    const RecordKernels kernels = baker.bake(plans[0]);
-    EXPECT_EQ(kernels.lambert.size(), glossy ? 0u : 16u);
+    const RecordKernels kernels = baker.bake(plans[0], plans[0].glossyLobes);
+    EXPECT_EQ(kernels.lambert.boxes.size(), glossy ? 0u : 16u);
     ASSERT_EQ(kernels.glossy.size(), glossy ? 92u : 0u);
     size_t stored = 0;
-    for (const auto& view : kernels.glossy) {
+    for (const RecordKernel& kernel : kernels.glossy) {
+      const std::vector<PackedBox>& view = kernel.boxes;
       EXPECT_TRUE(view.empty() || view.size() == 4u);
       stored += !view.empty();
       float energy = 0;
@@ -134,7 +134,8 @@ TEST(TexelBake, DoubleSidedTexelsHaveTwoRecords) {
   material.flags = asset::kDoubleSided;
   OneTexel texel(material);
   texel.map = makeTexels(texel.scene, 1, 1);
-  const auto plans = planRecords(texel.scene, texel.map);
+  const Intersector world(texel.scene);
+  const auto plans = planRecords(world, texel.map);
   ASSERT_EQ(plans.size(), 2u);
   EXPECT_EQ(plans[0].record.normal[1], 1);
   EXPECT_EQ(plans[1].record.normal[1], -1);
