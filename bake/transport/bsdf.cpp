@@ -22,7 +22,7 @@ uint32_t indexOf(Lobes lobe) { return uint32_t(std::countr_zero(uint32_t(lobe)))
 }  // namespace
 
 Bsdf::Bsdf(const MaterialSample& m, vec3 wo, const Interface& interface, vec3 coatNormal)
-    : fresnel_(m, interface), specular_(m, fresnel_, wo, interface), wo_(wo) {
+    : fresnel_(m, interface, wo.z), specular_(m, fresnel_, wo, interface), wo_(wo) {
   if (m.unlit) {
     emission_ = m.baseColor;
     return;

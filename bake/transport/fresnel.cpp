@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "common/light/ggx.h"
+#include "common/light/thin_film.h"
 
 namespace boxlight {
 namespace {
@@ -18,14 +19,28 @@ constexpr float kTotal = -1.0f;  ///< in place of a cosine: total internal refle
 
 }  // namespace
 
-Fresnel::Fresnel(const MaterialSample& m, const Interface& interface)
-    : metallic_(m.metallic), ior_(interface.ior > 0.0f ? interface.ior : 1.0f) {
+Fresnel::Fresnel(const MaterialSample& m, const Interface& interface, float nDotV)
+    : conductor_(m.baseColor),
+      specular_(m.specular),
+      metallic_(m.metallic),
+      ior_(interface.ior > 0.0f ? interface.ior : 1.0f),
+      film_(interface.inside || m.iridescenceThickness <= 0.0f ? 0.0f : m.iridescence),
+      filmIor_(m.iridescenceIor),
+      filmThickness_(m.iridescenceThickness),
+      f90_(glm::mix(m.specular, 1.0f, m.metallic)) {
   const float normal = reflectanceOf(interface.ior > 0.0f ? interface.ior : m.ior);
-  const Rgb dielectric = glm::min(normal * m.specularColor, Rgb(1.0f));
-  f0_ = glm::mix(m.specular * dielectric, m.baseColor, m.metallic);
-  f90_ = glm::mix(m.specular, 1.0f, m.metallic);
-  dielectricF0_ = m.specular * maxComponent(dielectric);
-  dielectricF90_ = m.specular;
+  dielectric_ = m.specular * glm::min(normal * m.specularColor, Rgb(1.0f));
+  Rgb dielectric = dielectric_, conductor = conductor_;
+  if (film_ > 0.0f) {
+    const auto stand = [&](Rgb bare) {
+      const Rgb film = thinFilmReflectance(nDotV, filmIor_, filmThickness_, bare);
+      return glm::mix(bare, schlickF0(film, nDotV), film_);
+    };
+    dielectric = stand(dielectric);
+    conductor = stand(conductor);
+  }
+  f0_ = glm::mix(dielectric, conductor, metallic_);
+  dielectricF0_ = maxComponent(dielectric);
 }
 
 float Fresnel::weight(float vDotH) const {
@@ -34,16 +49,23 @@ float Fresnel::weight(float vDotH) const {
   return sine2 >= 1.0f ? kTotal : ggx::schlickWeight(std::sqrt(1.0f - sine2));
 }
 
-Rgb Fresnel::reflected(float vDotH) const {
-  const float schlick = weight(vDotH);
-  if (schlick != kTotal) return glm::mix(f0_, Rgb(f90_), schlick);
-  const Rgb conductor = glm::mix(f0_, Rgb(f90_), ggx::schlickWeight(vDotH));
-  return glm::mix(Rgb(1.0f), conductor, metallic_);
+Rgb Fresnel::withFilm(Rgb bare, Rgb baseF0, float vDotH) const {
+  if (film_ <= 0.0f) return bare;
+  return glm::mix(bare, thinFilmReflectance(vDotH, filmIor_, filmThickness_, baseF0), film_);
 }
 
-float Fresnel::dielectric(float vDotH) const {
+Rgb Fresnel::dielectricRgb(float vDotH) const {
   const float schlick = weight(vDotH);
-  return schlick == kTotal ? 1.0f : glm::mix(dielectricF0_, dielectricF90_, schlick);
+  if (schlick == kTotal) return Rgb(1.0f);
+  return withFilm(glm::mix(dielectric_, Rgb(specular_), schlick), dielectric_, vDotH);
 }
+
+Rgb Fresnel::reflected(float vDotH) const {
+  if (metallic_ <= 0.0f) return dielectricRgb(vDotH);
+  const Rgb bare = glm::mix(conductor_, Rgb(1.0f), ggx::schlickWeight(vDotH));
+  return glm::mix(dielectricRgb(vDotH), withFilm(bare, conductor_, vDotH), metallic_);
+}
+
+float Fresnel::dielectric(float vDotH) const { return maxComponent(dielectricRgb(vDotH)); }
 
 }  // namespace boxlight
