@@ -94,7 +94,8 @@ void PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey&
       continue;  // another material's part of the texel: its pixels do not ask for this kernel
     ++paths.traced;
     const vec2 random = sampler.next2();
-    const LobeSample drawn = bsdf.sample(sampler.next(), random, kViewDependent);
+    const float choice = bsdf.viewDependentCount() > 1 ? sampler.next() : 0.0f;
+    const LobeSample drawn = bsdf.sample(choice, random, kViewDependent);
     PathState state{-wo, Rgb(1.0f), origin.media};
     if (!turnPath(surface, drawn, state)) continue;
     const LobeValue lobe =
