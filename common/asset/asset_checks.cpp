@@ -135,6 +135,7 @@ void checkTables(const Asset& asset, const ChunkSet& present, const Reporter& re
   if (present.has({chunk::kInfo})) checkInfo(asset.info, report);
   checkMesh(asset, present, report);
   checkMaterials(asset, present, report);
+  checkMaterialExtensions(asset, present, report);
   checkTextures(asset, present, report);
   checkAtlas(asset, present, report);
   checkTiles(asset, present, report);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "common/asset/asset_load.h"
 
@@ -16,6 +19,7 @@ void checkTables(const Asset& asset, const ChunkSet& present, const Reporter& re
 /// The parts of checkTables.
 void checkMesh(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkMaterials(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkMaterialExtensions(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkTextures(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkAtlas(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& report);
@@ -33,9 +37,26 @@ void checkPageIndex(const LoadedAsset& loaded, uint64_t pagesSize, const Reporte
 /// Has checkPageIndex nothing to say about this page, and are its boxes within the limit?
 bool pageIsSound(const LoadedAsset& loaded, uint32_t stream, uint32_t tile, uint64_t pagesSize);
 
+/// Does the texture, its coordinate set and its transform exist? `what` names the reference.
+void checkReference(const Asset& asset, const ChunkSet& present, uint32_t chunk, const std::string& what,
+                    TextureRef reference, const Reporter& report);
+
 /// The boxes of one page, kernel after kernel.
 void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const std::string& place,
                 const Reporter& report);
+
+/// Do the pages of a tile agree, of its glossy streams and of its Lambert stream each, on whether their
+/// kernels begin with emitted radiance? (checkBoxes looks inside one page.) Does a file that has any have
+/// MATX?
+class EmittedSlots {
+ public:
+  explicit EmittedSlots(const Asset& asset) : asset_(asset), seen_(asset.tiles.size()) {}
+  void check(uint32_t stream, uint32_t tile, std::span<const PackedBox> page, const Reporter& report);
+
+ private:
+  const Asset& asset_;
+  std::vector<std::array<std::optional<bool>, 2>> seen_;  // per tile: glossy, Lambert
+};
 
 /// Boxes in the page of one stream of one tile.
 uint64_t pageBoxCount(const Asset& asset, uint32_t stream, uint32_t tile);

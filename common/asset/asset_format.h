@@ -27,6 +27,9 @@ inline constexpr uint32_t kMaxViewFrequency = 16;
 inline constexpr uint32_t kMaxAtlasSize = 16384;    ///< texels, each side
 inline constexpr uint32_t kMaxTextureSize = 16384;  ///< texels, each side
 inline constexpr uint32_t kMaxBoxesPerKernel = 256;
+/// Exponents of emitted radiance (box.h), du - 32768: those of single precision.
+inline constexpr int kMinEmissionExponent = -148, kMaxEmissionExponent = 128;
+inline constexpr uint32_t kMaxTextureTransforms = 65535;
 inline constexpr uint64_t kMaxProvenanceSize = 1 << 20;  ///< bytes
 inline constexpr uint32_t kMaxProvenanceDepth = 32;      ///< nested objects and arrays
 /// A chunk decodes to at most max(kFreeExpansion, kMaxExpansion * storedSize) bytes: a small file stays small
@@ -152,6 +155,8 @@ enum MaterialFlags : uint32_t {
   kVolume = 1u << 4,              ///< KHR_materials_volume: the surface bounds a medium, it is no thin wall
   kMultipleScattering = 1u << 5,  ///< GGX lobes with the energy that single scattering loses
 };
+inline constexpr uint32_t kExtensionFlags = kAlphaBlend | kUnlit | kVolume | kMultipleScattering;
+inline constexpr uint32_t kKnownFlags = kDoubleSided | kAlphaMask | kExtensionFlags;
 
 /// glTF 2.0 metallic-roughness with KHR_materials_specular. Factors multiply their texture, as the
 /// specification says.
@@ -228,7 +233,7 @@ struct TexelRecord {
   float f0[3];       ///< specular reflectance at normal incidence
   float metallic;
   uint32_t atlasX, atlasY;
-  uint32_t emissionSlot;  ///< kNone in version 1.0
+  uint32_t emissionSlot;  ///< reserved: kNone
   uint32_t reserved;
 };
 static_assert(sizeof(TexelRecord) == 80);

@@ -9,7 +9,7 @@ namespace {
 template <class T>
 bool readTable(const ChunkFile& file, uint32_t type, std::vector<T>& table, const Reporter& report) {
   const ChunkEntry* entry = file.find(type);
-  if (!entry) return false;
+  if (!entry) return isOptionalTable(type) && !file.names(type);
   if (entry->rawSize % sizeof(T) != 0) {
     report(FindingCode::chunkSize, type, "", "{} bytes are not a whole number of {}-byte entries",
            entry->rawSize, sizeof(T));

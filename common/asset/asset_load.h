@@ -11,11 +11,14 @@
 namespace boxlight::asset {
 
 /// Calls f(chunk type, vector) for each array that Asset holds, in the order in which the writer writes them.
+/// What is in no file before it has entries: see isOptionalTable (chunk_file.h).
 template <class A, class F>
 void forEachTable(A& asset, F&& f) {
   f(chunk::kVertices, asset.vertices);
   f(chunk::kTriangles, asset.triangles);
   f(chunk::kMaterials, asset.materials);
+  f(chunk::kMaterialExtensions, asset.materialExtensions);
+  f(chunk::kTextureTransforms, asset.textureTransforms);
   f(chunk::kTextures, asset.textures);
   f(chunk::kTexels, asset.texels);
   f(chunk::kAtlas, asset.atlas);
@@ -24,7 +27,7 @@ void forEachTable(A& asset, F&& f) {
   f(chunk::kStreamMasks, asset.streamMasks);
 }
 
-/// Which chunks of a file could be read.
+/// Which chunks of a file could be read. An optional table that is not in the file counts as read, and empty.
 class ChunkSet {
  public:
   void add(uint32_t type) { types_.push_back(type); }

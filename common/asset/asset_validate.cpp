@@ -18,9 +18,11 @@ void verifySkippedChunks(const ChunkFile& file, const Reporter& report) {
 void checkPages(const ChunkFile& file, const LoadedAsset& loaded, const Reporter& report) {
   const Asset& asset = loaded.asset;
   const uint64_t pagesSize = file.find(chunk::kPages)->storedSize;
+  EmittedSlots emitted(asset);
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile)
-      if (pageIsSound(loaded, stream, tile, pagesSize)) readPage(file, loaded, stream, tile, report);
+      if (pageIsSound(loaded, stream, tile, pagesSize))
+        emitted.check(stream, tile, readPage(file, loaded, stream, tile, report), report);
 }
 
 }  // namespace

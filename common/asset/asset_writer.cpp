@@ -14,14 +14,13 @@ namespace boxlight::asset {
 namespace {
 
 constexpr uint64_t kAlignment = 16;
-constexpr uint32_t kChunkCount = 13;
+constexpr uint32_t kChunksBesidesTables = 4;  // PROV, INFO, PAGE, PGIX
 
 /// Appends chunks; finish() writes header and table into the room left for them at the start.
 class ChunkWriter {
  public:
-  explicit ChunkWriter(const std::filesystem::path& path) : file_(path) {
-    const std::array<std::byte, sizeof(FileHeader) + kChunkCount * sizeof(ChunkEntry)> head{};
-    file_.write(head);
+  ChunkWriter(const std::filesystem::path& path, uint32_t chunkCount) : file_(path), chunkCount_(chunkCount) {
+    file_.write(std::vector<std::byte>(sizeof(FileHeader) + chunkCount * sizeof(ChunkEntry)));
   }
 
   void add(uint32_t type, std::span<const std::byte> raw) {
@@ -54,11 +53,11 @@ class ChunkWriter {
   }
 
   void finish(Scheme scheme) {
-    assert(table_.size() == kChunkCount);
+    assert(table_.size() == chunkCount_);
     FileHeader header{.majorVersion = kMajorVersion,
                       .minorVersion = kMinorVersion,
                       .scheme = scheme,
-                      .chunkCount = kChunkCount,
+                      .chunkCount = chunkCount_,
                       .fileSize = file_.size()};
     std::memcpy(header.magic, kMagic, sizeof kMagic);
     const auto table = std::as_bytes(std::span(table_));
@@ -79,6 +78,7 @@ class ChunkWriter {
 
   AtomicFile file_;
   FrameCompressor compressor_;
+  const uint32_t chunkCount_;
   std::vector<ChunkEntry> table_;
 };
 
@@ -91,6 +91,14 @@ Info infoOf(const Asset& asset) {
   info.recordCount = uint32_t(asset.records.size());
   info.tileCount = uint32_t(asset.tiles.size());
   return info;
+}
+
+/// forEachTable without the optional tables that the file need not have.
+template <class F>
+void forEachWrittenTable(const Asset& asset, F&& f) {
+  forEachTable(asset, [&](uint32_t type, const auto& table) {
+    if (!table.empty() || !isOptionalTable(type)) f(type, std::as_bytes(std::span(table)));
+  });
 }
 
 ChunkSet allTables(const Asset& asset) {
@@ -112,6 +120,7 @@ Reporter refusal(const std::filesystem::path& path) {
 std::vector<PageEntry> writePages(ChunkWriter& writer, const Asset& asset, const PageSource& page,
                                   const Reporter& report) {
   std::vector<PageEntry> index(asset.streamMasks.size());
+  EmittedSlots emitted(asset);
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
       if (asset.mask(stream, tile) == 0) continue;
@@ -120,6 +129,7 @@ std::vector<PageEntry> writePages(ChunkWriter& writer, const Asset& asset, const
       if (const uint64_t expected = pageBoxCount(asset, stream, tile); boxes.size() != expected)
         report(FindingCode::pageSize, chunk::kPages, place, "{} boxes instead of {}", boxes.size(), expected);
       checkBoxes(boxes, asset.boxesPerKernel(stream, tile), place, report);
+      emitted.check(stream, tile, boxes, report);
       index[size_t(stream) * asset.tiles.size() + tile] = writer.addPage(boxes);
     }
   return index;
@@ -135,12 +145,14 @@ void writeAsset(const std::filesystem::path& path, const Asset& asset, const Pag
   if (!asset.provenance.is_object() || provenance.size() > kMaxProvenanceSize)
     report(FindingCode::provenance, chunk::kProvenance, "", "{} bytes of {}", provenance.size(),
            asset.provenance.type_name());
-  ChunkWriter writer(path);
+  uint32_t chunkCount = kChunksBesidesTables;
+  forEachWrittenTable(asset, [&](uint32_t, std::span<const std::byte>) { ++chunkCount; });
+  ChunkWriter writer(path, chunkCount);
   const Info info = infoOf(asset);
   writer.add(chunk::kProvenance, std::as_bytes(std::span(provenance)));
   writer.add(chunk::kInfo, std::as_bytes(std::span(&info, 1)));
-  forEachTable(asset,
-               [&](uint32_t type, const auto& table) { writer.add(type, std::as_bytes(std::span(table))); });
+  forEachWrittenTable(asset,
+                      [&](uint32_t type, std::span<const std::byte> bytes) { writer.add(type, bytes); });
   writer.beginPages();
   const std::vector<PageEntry> index = writePages(writer, asset, page, report);
   writer.add(chunk::kPageIndex, std::as_bytes(std::span(index)));

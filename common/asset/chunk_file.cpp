@@ -24,7 +24,10 @@ constexpr std::array kRequired = {
     chunk::kTextures,    chunk::kTexels,    chunk::kAtlas,    chunk::kRecords,   chunk::kTiles,
     chunk::kStreamMasks, chunk::kPageIndex, chunk::kPages};
 
-bool isOptional(uint32_t type) { return (type & 0xFF) >= 'a' && (type & 0xFF) <= 'z'; }
+constexpr std::array kOptionalTables = {chunk::kMaterialExtensions, chunk::kTextureTransforms};
+
+/// May a reader that does not know the type do without it?
+bool isSkippable(uint32_t type) { return (type & 0xFF) >= 'a' && (type & 0xFF) <= 'z'; }
 
 [[noreturn]] void failIo(const std::filesystem::path& path, const char* reason) {
   fail(ExitCode::io, "{}: cannot read: {}", path.string(), reason);
@@ -38,7 +41,11 @@ std::span<std::byte> bytesOf(T& value) {
 }  // namespace
 
 bool isKnownChunk(uint32_t type) {
-  return std::find(kRequired.begin(), kRequired.end(), type) != kRequired.end();
+  return std::find(kRequired.begin(), kRequired.end(), type) != kRequired.end() || isOptionalTable(type);
+}
+
+bool isOptionalTable(uint32_t type) {
+  return std::find(kOptionalTables.begin(), kOptionalTables.end(), type) != kOptionalTables.end();
 }
 
 ChunkFile::ChunkFile(std::filesystem::path path) : path_(std::move(path)) {
@@ -179,22 +186,25 @@ void ChunkFile::checkSet(const Reporter& report) const {
     if (again && isKnownChunk(type))
       report(chunkDuplicate, type, "", "chunk {} of the table has the same type as an earlier one", i);
     if (isKnownChunk(type)) continue;
-    if (isOptional(type))
+    if (isSkippable(type))
       report(chunkSkipped, type, "", "{} bytes are skipped", chunks_[i].storedSize);
     else
       report(chunkUnknown, type, "", "this program (format {}.{}) does not know it", kMajorVersion,
              kMinorVersion);
   }
   for (const uint32_t type : kRequired)
-    if (std::none_of(chunks_.begin(), chunks_.end(),
-                     [&](const ChunkEntry& entry) { return entry.type == type; }))
-      report(chunkMissing, type, "", "not in the chunk table");
+    if (!names(type)) report(chunkMissing, type, "", "not in the chunk table");
 }
 
 const ChunkEntry* ChunkFile::find(uint32_t type) const {
   for (size_t i = 0; i < chunks_.size(); ++i)
     if (sound_[i] && chunks_[i].type == type) return &chunks_[i];
   return nullptr;
+}
+
+bool ChunkFile::names(uint32_t type) const {
+  return std::any_of(chunks_.begin(), chunks_.end(),
+                     [&](const ChunkEntry& entry) { return entry.type == type; });
 }
 
 std::optional<std::vector<std::byte>> ChunkFile::readStored(const ChunkEntry& entry,

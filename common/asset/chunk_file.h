@@ -11,8 +11,10 @@
 
 namespace boxlight::asset {
 
-/// Does version 1.0 have a chunk of this type?
+/// Does version 1.1 have a chunk of this type?
 bool isKnownChunk(uint32_t type);
+/// One of those that a file has only if the table has entries?
+bool isOptionalTable(uint32_t type);
 
 /// The container of a .ptb: header, chunk table and the stored bytes of each chunk, all range-checked. It
 /// knows which chunks version 1 has, not what is in them. Errors: ExitCode::io is thrown; everything else
@@ -33,6 +35,8 @@ class ChunkFile {
   const std::vector<ChunkEntry>& chunks() const { return chunks_; }
   /// The chunk of this type whose table entry is sound, or null.
   const ChunkEntry* find(uint32_t type) const;
+  /// Is there an entry of this type, sound or not?
+  bool names(uint32_t type) const;
 
   /// Reads, verifies and decodes a chunk into `raw`, of entry.rawSize bytes. False if it is damaged. Not for
   /// Codec::pages.

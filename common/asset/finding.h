@@ -56,6 +56,8 @@ enum class FindingCode : int {
   maskBits = 320,
   reserved = 321,
   vertexAtlasUv = 322,
+  extensionMissing = 323,
+  extensionValue = 324,
   pageSize = 401,
   pageRange = 402,
   pageHash = 403,
@@ -63,6 +65,8 @@ enum class FindingCode : int {
   boxRange = 405,
   boxEnergy = 406,
   kernelEnergy = 407,
+  boxKind = 408,
+  emittedSlots = 409,
 };
 
 /// What does not depend on the file at hand. `exitCode` is what a program that cannot go on ends with.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <bit>
 #include <glm/gtc/packing.hpp>
+#include <limits>
 
 #include "common/asset/asset_checks.h"
 
@@ -13,14 +14,22 @@ using enum FindingCode;
 // sum exactly to their kernel go above it, but not by this much.
 constexpr float kEnergyAlarm = 4.0f;
 
-/// Adds the box's energy to `sum`; false if it is not finite and non-negative.
-bool addEnergy(const PackedBox& box, Rgb& sum) {
+/// False if it is not finite and non-negative.
+bool readEnergy(const PackedBox& box, Rgb& energy) {
+  bool valid = true;
   for (int c = 0; c < 3; ++c) {
-    const float energy = glm::unpackHalf1x16(box.energy[c]);
-    if (!(energy >= 0.0f && energy <= 65504.0f)) return false;
-    sum[c] += energy;
+    energy[c] = glm::unpackHalf1x16(box.energy[c]);
+    valid &= energy[c] >= 0.0f && energy[c] <= 65504.0f;
   }
-  return true;
+  return valid;
+}
+
+/// Edges of a light box inside the light domain, emitted radiance inside single precision?
+bool inRange(const PackedBox& box) {
+  if (!isEmission(box)) return uint32_t(box.v0) + box.dv <= 65535;
+  const int exponent = int(box.du) - 32768;
+  return exponent >= kMinEmissionExponent && exponent <= kMaxEmissionExponent &&
+         maxComponent(unpackEmission(box)) <= std::numeric_limits<float>::max();
 }
 
 void checkPageEntry(const LoadedAsset& loaded, uint32_t stream, uint32_t tile, uint64_t pagesSize,
@@ -69,24 +78,42 @@ bool pageIsSound(const LoadedAsset& loaded, uint32_t stream, uint32_t tile, uint
 
 void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const std::string& place,
                 const Reporter& report) {
-  for (size_t first = 0; first < boxes.size(); first += boxesPerKernel) {
-    Rgb sum(0.0f);
-    for (size_t i = first; i < first + boxesPerKernel; ++i) {
-      const PackedBox& box = boxes[i];
-      const auto at = [&] {
-        return fmt::format("{}, kernel {}, box {}", place, first / boxesPerKernel, i - first);
-      };
-      if (uint32_t(box.v0) + box.dv > 65535)
-        report(boxRange, chunk::kPages, at(), "v0 {} and dv {} reach beyond 65536", box.v0, box.dv);
-      if (!addEnergy(box, sum))
-        report(boxEnergy, chunk::kPages, at(), "half floats {:#06x} {:#06x} {:#06x}", box.energy[0],
-               box.energy[1], box.energy[2]);
-      if (box.kind > kEmittedRadiance) report(reserved, chunk::kPages, at(), "kind {}", box.kind);
-    }
-    if (maxComponent(sum) > kEnergyAlarm)
-      report(kernelEnergy, chunk::kPages, fmt::format("{}, kernel {}", place, first / boxesPerKernel),
-             "energy {:.3g} {:.3g} {:.3g}", sum.x, sum.y, sum.z);
+  Rgb sum(0.0f);
+  for (size_t i = 0; i < boxes.size(); ++i) {
+    const PackedBox& box = boxes[i];
+    const size_t slot = i % boxesPerKernel;
+    const auto kernel = [&] { return fmt::format("{}, kernel {}", place, i / boxesPerKernel); };
+    const auto bad = [&]<class... Args>(FindingCode code, fmt::format_string<Args...> format,
+                                        Args&&... args) {
+      report(code, chunk::kPages, fmt::format("{}, box {}", kernel(), slot), format,
+             std::forward<Args>(args)...);
+    };
+    if (slot == 0) sum = Rgb(0.0f);
+    if (box.kind > kEmittedRadiance || (slot > 0 && isEmission(box))) bad(boxKind, "kind {}", box.kind);
+    if (slot == 0 && isEmission(box) != isEmission(boxes[0]))
+      bad(emittedSlots, "kind {}, the page's first kernel has {}", box.kind, boxes[0].kind);
+    if (!inRange(box)) bad(boxRange, "kind {}, v0 {}, dv {}, du {}", box.kind, box.v0, box.dv, box.du);
+    Rgb energy;
+    if (!readEnergy(box, energy))
+      bad(boxEnergy, "half floats {:#06x} {:#06x} {:#06x}", box.energy[0], box.energy[1], box.energy[2]);
+    else if (!isEmission(box))
+      sum += energy;
+    if (slot + 1 == boxesPerKernel && maxComponent(sum) > kEnergyAlarm)
+      report(kernelEnergy, chunk::kPages, kernel(), "energy {:.3g} {:.3g} {:.3g}", sum.x, sum.y, sum.z);
   }
+}
+
+void EmittedSlots::check(uint32_t stream, uint32_t tile, std::span<const PackedBox> page,
+                         const Reporter& report) {
+  if (page.empty()) return;
+  const bool emitted = isEmission(page[0]);
+  std::optional<bool>& seen = seen_[tile][stream == asset_.diffuseStream()];
+  if (emitted && asset_.materialExtensions.empty())
+    report(extensionMissing, chunk::kPages, pagePlace(asset_, stream, tile), "emitted radiance without MATX");
+  if (seen.value_or(emitted) != emitted)
+    report(emittedSlots, chunk::kPages, pagePlace(asset_, stream, tile),
+           "{} emitted radiance, another view has {}", emitted ? "has" : "no", emitted ? "none" : "some");
+  seen = emitted;
 }
 
 }  // namespace boxlight::asset

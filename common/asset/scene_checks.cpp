@@ -28,16 +28,6 @@ void checkVertex(const Asset& asset, const ChunkSet& present, uint32_t index, co
       return bad(bounds, "outside the bounds in INFO");
 }
 
-void checkReference(const Asset& asset, const ChunkSet& present, size_t material, const char* name,
-                    TextureRef reference, const Reporter& report) {
-  if (reference.texture == kNone) return;
-  const bool exists = !present.has({chunk::kTextures}) || reference.texture < asset.textures.size();
-  if (exists && reference.texcoord <= 1) return;
-  report(materialTexture, chunk::kMaterials, fmt::format("material {}, {}", material, name),
-         "texture {} of {}, texture coordinate {}", reference.texture, asset.textures.size(),
-         reference.texcoord);
-}
-
 void checkMaterial(const Asset& asset, const ChunkSet& present, size_t index, const Reporter& report) {
   const Material& m = asset.materials[index];
   const auto bad = [&](FindingCode code, const char* what) {
@@ -51,18 +41,36 @@ void checkMaterial(const Asset& asset, const ChunkSet& present, size_t index, co
   if (!std::all_of(fractions.begin(), fractions.end(), isFraction))
     bad(materialValue, "baseColor, metallic, roughness or specular outside [0,1]");
   const std::array positive = {m.alphaCutoff, m.specularColor[0], m.specularColor[1], m.specularColor[2]};
+  if ((m.flags & kAlphaMask) && (m.flags & kAlphaBlend))
+    bad(materialValue, "both alpha mask and alpha blend");
   if (std::any_of(positive.begin(), positive.end(), [](float value) { return value < 0.0f; }))
     bad(materialValue, "alphaCutoff or specularColor below 0");
-  if ((m.flags & ~uint32_t(kDoubleSided | kAlphaMask)) != 0 || m.reserved != 0)
+  if ((m.flags & ~uint32_t(kKnownFlags)) != 0 || m.reserved != 0)
     bad(reserved, "unknown flags or reserved field");
-  checkReference(asset, present, index, "baseColorTexture", m.baseColorTexture, report);
-  checkReference(asset, present, index, "metallicRoughnessTexture", m.metallicRoughnessTexture, report);
-  checkReference(asset, present, index, "normalTexture", m.normalTexture, report);
-  checkReference(asset, present, index, "specularTexture", m.specularTexture, report);
-  checkReference(asset, present, index, "specularColorTexture", m.specularColorTexture, report);
+  const auto reference = [&](const char* name, TextureRef ref) {
+    checkReference(asset, present, chunk::kMaterials, fmt::format("material {}, {}", index, name), ref,
+                   report);
+  };
+  reference("baseColorTexture", m.baseColorTexture);
+  reference("metallicRoughnessTexture", m.metallicRoughnessTexture);
+  reference("normalTexture", m.normalTexture);
+  reference("specularTexture", m.specularTexture);
+  reference("specularColorTexture", m.specularColorTexture);
 }
 
 }  // namespace
+
+void checkReference(const Asset& asset, const ChunkSet& present, uint32_t chunk, const std::string& what,
+                    TextureRef reference, const Reporter& report) {
+  if (reference.texture == kNone) return;
+  const bool exists = !present.has({chunk::kTextures}) || reference.texture < asset.textures.size();
+  const bool transformed =
+      !present.has({chunk::kTextureTransforms}) || reference.transform <= asset.textureTransforms.size();
+  if (exists && transformed && reference.texcoord <= 1) return;
+  report(materialTexture, chunk, what, "texture {} of {}, texture coordinate {}, transform {} of {}",
+         reference.texture, asset.textures.size(), reference.texcoord, reference.transform,
+         asset.textureTransforms.size());
+}
 
 void checkMesh(const Asset& asset, const ChunkSet& present, const Reporter& report) {
   for (uint32_t i = 0; i < asset.vertices.size(); ++i) checkVertex(asset, present, i, report);

@@ -116,7 +116,9 @@ uint64_t contentHash(const std::filesystem::path& path) {
   uint64_t hash = xxh64(std::as_bytes(std::span(&asset.info, 1)), uint64_t(asset.scheme));
   const std::string provenance = asset.provenance.dump();
   hash = xxh64(std::as_bytes(std::span(provenance)), hash);
-  forEachTable(asset, [&](uint32_t, const auto& values) { hash = xxh64(bytesOf(values), hash); });
+  forEachTable(asset, [&](uint32_t type, const auto& values) {
+    if (!values.empty() || !isOptionalTable(type)) hash = xxh64(bytesOf(values), hash);
+  });
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile)
       hash = xxh64(bytesOf(reader.page(stream, tile)), hash);
