@@ -2,123 +2,25 @@
 #include "bake/scene/gltf_check.h"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 #include "bake/scene/gltf_error.h"
+#include "bake/scene/gltf_rules.h"
 
 namespace boxlight {
 namespace {
 
 using Json = nlohmann::json;
-
-// What a value must be.
-struct Index {
-  const char* array;  // points into this top-level array
-};
-struct Count {
-  uint64_t atLeast = 0;
-  uint64_t atMost = uint64_t(1) << 53;  // what JSON numbers hold exactly; sums of two never overflow
-};
-struct Number {};
-struct Numbers {
-  size_t length;
-};
-struct Boolean {};
-struct Text {};
-struct Object {};
-struct Array {};
-struct Code {
-  std::vector<int> allowed;
-};
-struct Name {
-  std::vector<std::string_view> allowed;
-};
-struct TextureInfo {};
-using Kind =
-    std::variant<Index, Count, Number, Numbers, Boolean, Text, Object, Array, Code, Name, TextureInfo>;
-
-// In a pattern, [] is every element of an array and * every member of an object.
-struct Rule {
-  std::string_view pattern;
-  Kind kind;
-  bool required = false;
-};
-
-constexpr bool kRequired = true;
-constexpr uint64_t kMaxInt = std::numeric_limits<int>::max();  // where tinygltf keeps an int
-
-const std::vector<Rule>& rules() {
-  static const std::vector<Rule> table = {
-      {"scene", Index{"scenes"}},
-      {"scenes[].nodes[]", Index{"nodes"}},
-      {"nodes[].children[]", Index{"nodes"}},
-      {"nodes[].mesh", Index{"meshes"}},
-      {"nodes[].matrix", Numbers{16}},
-      {"nodes[].translation", Numbers{3}},
-      {"nodes[].rotation", Numbers{4}},
-      {"nodes[].scale", Numbers{3}},
-      {"meshes[].primitives", Array{}, kRequired},
-      {"meshes[].primitives[].attributes", Object{}, kRequired},
-      {"meshes[].primitives[].attributes.*", Index{"accessors"}},
-      {"meshes[].primitives[].indices", Index{"accessors"}},
-      {"meshes[].primitives[].material", Index{"materials"}},
-      {"meshes[].primitives[].mode", Code{{0, 1, 2, 3, 4, 5, 6}}},
-      {"accessors[].bufferView", Index{"bufferViews"}},
-      {"accessors[].byteOffset", Count{}},
-      {"accessors[].count", Count{1}, kRequired},
-      {"accessors[].componentType", Code{{5120, 5121, 5122, 5123, 5125, 5126}}, kRequired},
-      {"accessors[].type", Name{{"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"}}, kRequired},
-      {"accessors[].normalized", Boolean{}},
-      {"accessors[].sparse.count", Count{1, kMaxInt}, kRequired},
-      {"accessors[].sparse.indices", Object{}, kRequired},
-      {"accessors[].sparse.indices.bufferView", Index{"bufferViews"}, kRequired},
-      {"accessors[].sparse.indices.byteOffset", Count{0, kMaxInt}},
-      {"accessors[].sparse.indices.componentType", Code{{5121, 5123, 5125}}, kRequired},
-      {"accessors[].sparse.values", Object{}, kRequired},
-      {"accessors[].sparse.values.bufferView", Index{"bufferViews"}, kRequired},
-      {"accessors[].sparse.values.byteOffset", Count{0, kMaxInt}},
-      {"bufferViews[].buffer", Index{"buffers"}, kRequired},
-      {"bufferViews[].byteOffset", Count{}},
-      {"bufferViews[].byteLength", Count{1}, kRequired},
-      {"bufferViews[].byteStride", Count{0, 252}},
-      {"buffers[].byteLength", Count{1}, kRequired},
-      {"buffers[].uri", Text{}},
-      {"images[].bufferView", Index{"bufferViews"}},
-      {"images[].uri", Text{}},
-      {"samplers[].wrapS", Code{{10497, 33071, 33648}}},
-      {"samplers[].wrapT", Code{{10497, 33071, 33648}}},
-      {"samplers[].magFilter", Code{{9728, 9729}}},
-      {"samplers[].minFilter", Code{{9728, 9729, 9984, 9985, 9986, 9987}}},
-      {"textures[].sampler", Index{"samplers"}},
-      {"textures[].source", Index{"images"}},
-      {"materials[].pbrMetallicRoughness.baseColorFactor", Numbers{4}},
-      {"materials[].pbrMetallicRoughness.baseColorTexture", TextureInfo{}},
-      {"materials[].pbrMetallicRoughness.metallicFactor", Number{}},
-      {"materials[].pbrMetallicRoughness.roughnessFactor", Number{}},
-      {"materials[].pbrMetallicRoughness.metallicRoughnessTexture", TextureInfo{}},
-      {"materials[].normalTexture", TextureInfo{}},
-      {"materials[].emissiveFactor", Numbers{3}},
-      {"materials[].alphaMode", Name{{"OPAQUE", "MASK", "BLEND"}}},
-      {"materials[].alphaCutoff", Number{}},
-      {"materials[].doubleSided", Boolean{}},
-      {"materials[].extensions.KHR_materials_specular.specularFactor", Number{}},
-      {"materials[].extensions.KHR_materials_specular.specularTexture", TextureInfo{}},
-      {"materials[].extensions.KHR_materials_specular.specularColorFactor", Numbers{3}},
-      {"materials[].extensions.KHR_materials_specular.specularColorTexture", TextureInfo{}},
-  };
-  return table;
-}
+using namespace gltf_rules;
 
 class Checker {
  public:
   Checker(const std::filesystem::path& path, const Json& document) : path_(path), document_(document) {}
 
   void run() {
-    for (const Rule& rule : rules()) {
+    for (const Rule& rule : gltf_rules::all()) {
       rule_ = &rule;
       walk(document_, rule.pattern);
     }
@@ -152,7 +54,7 @@ class Checker {
     for (auto it = key == "*" ? value.begin() : value.find(key); it != value.end(); ++it) {
       if (!place_.empty()) place_ += '.';
       place_ += it.key();
-      walk(it.value(), rest.substr(end));
+      if (key != "extras" || it->is_object()) walk(it.value(), rest.substr(end));
       place_.resize(length);
       if (key != "*") return;
     }
@@ -211,6 +113,24 @@ class Checker {
     checkMember(value, "index", Index{"textures"});
     checkMember(value, "texCoord", Count{0, kMaxInt});
     checkMember(value, "scale", Number{});
+    checkTransform(value);
+  }
+  // KHR_texture_transform.
+  void checkTransform(const Json& textureInfo) {
+    const auto extensions = textureInfo.find("extensions");
+    if (extensions == textureInfo.end()) return;
+    const size_t length = place_.size();
+    place_ += ".extensions";
+    check(*extensions, Object{});
+    checkMember(*extensions, "KHR_texture_transform", Object{});
+    if (const auto transform = extensions->find("KHR_texture_transform"); transform != extensions->end()) {
+      place_ += ".KHR_texture_transform";
+      checkMember(*transform, "offset", Numbers{2});
+      checkMember(*transform, "rotation", Number{});
+      checkMember(*transform, "scale", Numbers{2});
+      checkMember(*transform, "texCoord", Count{0, kMaxInt});
+    }
+    place_.resize(length);
   }
   template <class MemberKind>
   void checkMember(const Json& value, const char* key, const MemberKind& kind) {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/scene/gltf_document.h"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -11,16 +9,13 @@
 #include "bake/scene/gltf_check.h"
 #include "bake/scene/gltf_container.h"
 #include "bake/scene/gltf_error.h"
-#include "common/base/log.h"
+#include "bake/scene/gltf_support.h"
 
 namespace boxlight {
 namespace {
 
 using Json = nlohmann::json;
 namespace fs = std::filesystem;
-
-// KHR_mesh_quantization only widens the component types of attributes (gltf_primitive.cpp).
-constexpr std::string_view kSupportedExtensions[] = {"KHR_materials_specular", "KHR_mesh_quantization"};
 
 void checkVersion(const fs::path& path, const Json& json) {
   const Json asset = json.value("asset", Json());
@@ -33,33 +28,6 @@ void checkVersion(const fs::path& path, const Json& json) {
       failAt(ExitCode::unsupported, path, "asset.version",
              "glTF {} is not supported; export the file as glTF 2.0", v.dump());
     }
-  }
-}
-
-std::vector<std::string> unsupportedExtensions(const fs::path& path, const Json& json, const char* key) {
-  std::vector<std::string> names;
-  const auto list = json.find(key);
-  if (list == json.end()) return names;
-  if (!list->is_array()) failAt(ExitCode::invalidInput, path, key, "must be an array");
-  for (const Json& name : *list) {
-    if (!name.is_string()) failAt(ExitCode::invalidInput, path, key, "must hold strings");
-    const std::string& text = name.get_ref<const std::string&>();
-    const bool supported = std::ranges::find(kSupportedExtensions, text) != std::end(kSupportedExtensions);
-    if (!supported) names.push_back(text);
-  }
-  return names;
-}
-
-void checkExtensions(const fs::path& path, const Json& json) {
-  const auto required = unsupportedExtensions(path, json, "extensionsRequired");
-  if (!required.empty()) {
-    failAt(ExitCode::unsupported, path, "extensionsRequired",
-           "not supported: {}; export the file without them", fmt::join(required, ", "));
-  }
-  const auto used = unsupportedExtensions(path, json, "extensionsUsed");
-  if (!used.empty()) {
-    log().warn("{}: extensionsUsed: not supported and therefore ignored: {}", path.string(),
-               fmt::join(used, ", "));
   }
 }
 
@@ -136,6 +104,16 @@ void checkBuffers(const GltfContainer& file, const fs::path& path, Json& json) {
   }
 }
 
+// Images of kinds that no texture reads need not be ones that tinygltf knows (KTX2 beside PNG).
+void describeAsBytes(Json& uri) {
+  constexpr std::string_view kBytes = "data:application/octet-stream;base64,";
+  std::string& text = uri.get_ref<std::string&>();
+  const size_t comma = text.find(',');
+  if (text.starts_with("data:image/") && !tinygltf::IsDataURI(text) && comma < 60 &&
+      text.substr(0, comma).ends_with(";base64"))
+    text.replace(0, comma + 1, kBytes);
+}
+
 void checkImages(const fs::path& path, Json& json) {
   if (!json.contains("images")) return;
   for (size_t i = 0; i < json["images"].size(); ++i) {
@@ -146,6 +124,7 @@ void checkImages(const fs::path& path, Json& json) {
              "must have either a uri or a bufferView; export the file again");
     }
     if (!image.contains("uri")) continue;
+    describeAsBytes(image["uri"]);
     if (uriSize(path, place + ".uri", image["uri"]) == 0) {
       failAt(ExitCode::invalidInput, path, place + ".uri", "the image is empty; copy it again");
     }
@@ -222,6 +201,7 @@ GltfDocument readGltf(const fs::path& path) {
   checkVersion(path, file.json);
   checkExtensions(path, file.json);
   checkDocument(path, file.json);
+  checkCompression(path, file.json);
   tinygltf::Model model = parseModel(file, path);
   return {path, std::move(file.json), std::move(model)};
 }

@@ -18,8 +18,8 @@ struct GltfDocument {
 };
 
 /// Errors: io if the file itself cannot be read; invalidInput if it is damaged or a buffer or an image is
-/// missing; unsupported for another version of glTF and for unknown extensionsRequired. Extensions that are
-/// used but not supported are named in one warning.
+/// missing; unsupported for another version of glTF, for extensionsRequired that are not supported and for
+/// data that exists only compressed. Extensions that are used but not supported are named in one warning.
 GltfDocument readGltf(const std::filesystem::path& path);
 
 }  // namespace boxlight

@@ -13,6 +13,7 @@
 #include "bake/scene/gltf_nodes.h"
 #include "bake/scene/gltf_primitive.h"
 #include "bake/scene/tangents.h"
+#include "common/asset/texture_references.h"
 #include "common/base/file.h"
 #include "common/base/log.h"
 
@@ -65,10 +66,8 @@ class SceneBuilder {
     }
     Mesh mesh = readPrimitive(file_, instance.mesh, index);
     const uint32_t material = materials_.find(primitive.material);
-    checkTexcoords(mesh, scene_.materials[material], place);
-    const asset::TextureRef normalTexture = scene_.materials[material].normalTexture;
-    if (normalTexture.texture != asset::kNone && !mesh.hasTangents)
-      computeTangents(mesh, normalTexture.texcoord);
+    checkTexcoords(mesh, material, place);
+    if (!mesh.hasTangents) addTangents(mesh, material, place);
 
     const Placement placement = placeMesh(mesh, instance.toWorld);
     if (placement.outOfRange) {
@@ -80,15 +79,32 @@ class SceneBuilder {
     append(mesh, material, place);
   }
 
-  void checkTexcoords(const Mesh& mesh, const asset::Material& material, const std::string& place) const {
-    for (const asset::TextureRef& ref :
-         {material.baseColorTexture, material.metallicRoughnessTexture, material.normalTexture,
-          material.specularTexture, material.specularColorTexture}) {
-      if (ref.texture == asset::kNone || mesh.hasTexcoord[ref.texcoord]) continue;
+  asset::MaterialExtension extensionOf(uint32_t material) const {
+    return scene_.materialExtensions.empty() ? asset::MaterialExtension()
+                                             : scene_.materialExtensions[material];
+  }
+
+  void checkTexcoords(const Mesh& mesh, uint32_t material, const std::string& place) const {
+    const auto check = [&](const char* name, const asset::TextureRef& ref) {
+      if (ref.texture == asset::kNone || mesh.hasTexcoord[ref.texcoord]) return;
       failAt(ExitCode::invalidInput, file_.path,
              fmt::format("{}.attributes.TEXCOORD_{}", place, ref.texcoord),
-             "missing, but a texture of its material reads it; unwrap the mesh or remove the texture");
-    }
+             "missing, but the {} of its material reads it; unwrap the mesh or remove the texture", name);
+    };
+    asset::forEachReference(scene_.materials[material], check);
+    asset::forEachReference(extensionOf(material), check);
+  }
+
+  // Where something needs them. Of textures that read different sets, the first below has its way.
+  void addTangents(Mesh& mesh, uint32_t material, const std::string& place) {
+    const asset::MaterialExtension extension = extensionOf(material);
+    for (const asset::TextureRef& ref :
+         {extension.anisotropyTexture, scene_.materials[material].normalTexture,
+          extension.clearcoatNormalTexture})
+      if (ref.texture != asset::kNone) return computeTangents(mesh, ref.texcoord);
+    if (extension.anisotropy == 0.0f) return;
+    if (mesh.hasTexcoord[0] || mesh.hasTexcoord[1]) return computeTangents(mesh, mesh.hasTexcoord[0] ? 0 : 1);
+    withoutTangents_.insert(place);
   }
 
   void append(const Mesh& mesh, uint32_t material, const std::string& place) {
@@ -119,6 +135,10 @@ class SceneBuilder {
       log().warn("{}: {}{}: points, lines or without POSITION; skipped", path, fmt::join(names, ", "),
                  more > 0 ? fmt::format(" and {} more", more) : "");
     }
+    if (!withoutTangents_.empty()) {
+      log().warn("{}: {}: anisotropic, but without TANGENT and TEXCOORD_0: its direction is arbitrary", path,
+                 fmt::join(withoutTangents_, ", "));
+    }
     if (droppedTriangles_ > 0) log().debug("{}: {} triangles without area dropped", path, droppedTriangles_);
     if (replacedNormals_ > 0) {
       log().warn("{}: {} normals of zero length replaced by the face's", path, replacedNormals_);
@@ -139,6 +159,9 @@ class SceneBuilder {
     hash(scene_.vertices);
     hash(scene_.triangles);
     hash(scene_.materials);
+    // Scenes without them keep their hash.
+    if (!scene_.materialExtensions.empty()) hash(scene_.materialExtensions);
+    if (!scene_.textureTransforms.empty()) hash(scene_.textureTransforms);
     hash(scene_.textures);
     hash(scene_.texels);
   }
@@ -147,6 +170,7 @@ class SceneBuilder {
   Scene scene_;
   GltfMaterials materials_;
   std::set<std::pair<int, size_t>> notSurfaces_;  // mesh, primitive
+  std::set<std::string> withoutTangents_;         // primitives
   size_t droppedTriangles_ = 0, replacedNormals_ = 0;
 };
 

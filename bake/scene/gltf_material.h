@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "bake/scene/gltf_texture.h"
+#include "bake/scene/gltf_members.h"
 
 namespace boxlight {
 
@@ -14,23 +14,20 @@ std::string materialPlace(const GltfDocument& file, int material);
 /// Brings materials of a document into a scene, on first use. The document and the scene must outlive it.
 class GltfMaterials {
  public:
-  GltfMaterials(const GltfDocument& file, Scene& scene)
-      : file_(file), scene_(scene), textures_(file, scene) {}
+  GltfMaterials(const GltfDocument& file, Scene& scene) : file_(file), scene_(scene), context_(file, scene) {}
 
-  /// Index into Scene::materials; -1 is glTF's default material. Factors outside their range are clamped and
-  /// emission is ignored, each with a warning. Errors: unsupported for alphaMode BLEND and texture coordinate
-  /// sets above 1, and those of GltfTextures::find.
+  /// Index into Scene::materials; -1 is glTF's default material. Scene::materialExtensions is filled from the
+  /// first material on that has any. Factors outside their range are clamped with a warning. Errors:
+  /// those of GltfMembers::texture.
   uint32_t find(int material);
 
  private:
-  asset::Material convert(int material);
-  asset::TextureRef reference(int texture, int texcoord, bool srgb, const std::string& place);
-  float inRange(double value, double high, const std::string& place) const;
-  void convertSpecular(int material, const std::string& place, asset::Material& converted);
+  asset::Material convert(const GltfMembers& source) const;
+  void add(const asset::Material& material, const asset::MaterialExtension& extension);
 
   const GltfDocument& file_;
   Scene& scene_;
-  GltfTextures textures_;
+  GltfMaterialContext context_;
   std::map<int, uint32_t> found_;
 };
 

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "bake/scene/gltf_error.h"
+#include "bake/scene/gltf_support.h"
 #include "common/base/log.h"
 
 namespace boxlight {
@@ -62,6 +63,13 @@ tinygltf::Image decodeImage(const GltfDocument& file, const std::string& place, 
   return decoded;
 }
 
+// The extension that a texture without a source gets its image by; empty if there is none.
+std::string onlyExtension(const nlohmann::json& texture) {
+  const auto extensions = texture.find("extensions");
+  if (extensions == texture.end() || !extensions->is_object() || extensions->empty()) return "";
+  return extensions->begin().key();
+}
+
 }  // namespace
 
 const GltfTextures::Image& GltfTextures::decode(int index) {
@@ -87,8 +95,9 @@ const GltfTextures::Image& GltfTextures::decode(int index) {
 uint32_t GltfTextures::find(int index, bool srgb, const std::string& place) {
   const tinygltf::Texture& texture = file_.model.textures[size_t(index)];
   if (texture.source < 0) {
-    failAt(ExitCode::unsupported, file_.path, place,
-           "textures[{}] has no PNG or JPEG image; export the file without texture extensions", index);
+    const std::string extension = onlyExtension(file_.json["textures"][size_t(index)]);
+    failAt(ExitCode::unsupported, file_.path, place, "textures[{}] has no PNG or JPEG image{}{}; {}", index,
+           extension.empty() ? "" : ", only that of ", extension, conversionOf(extension));
   }
   const tinygltf::Sampler open;
   const tinygltf::Sampler& sampler =

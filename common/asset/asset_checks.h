@@ -37,9 +37,11 @@ void checkPageIndex(const LoadedAsset& loaded, uint64_t pagesSize, const Reporte
 /// Has checkPageIndex nothing to say about this page, and are its boxes within the limit?
 bool pageIsSound(const LoadedAsset& loaded, uint32_t stream, uint32_t tile, uint64_t pagesSize);
 
-/// Does the texture, its coordinate set and its transform exist? `what` names the reference.
-void checkReference(const Asset& asset, const ChunkSet& present, uint32_t chunk, const std::string& what,
-                    TextureRef reference, const Reporter& report);
+/// Do the textures of a material record, their coordinate sets and their transforms exist?
+void checkReferences(const Asset& asset, const ChunkSet& present, const Material& material,
+                     const std::string& place, const Reporter& report);
+void checkReferences(const Asset& asset, const ChunkSet& present, const MaterialExtension& extension,
+                     const std::string& place, const Reporter& report);
 
 /// The boxes of one page, kernel after kernel.
 void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const std::string& place,

@@ -4,6 +4,7 @@
 
 #include "common/asset/asset_checks.h"
 #include "common/asset/number_checks.h"
+#include "common/asset/texture_references.h"
 
 namespace boxlight::asset {
 namespace {
@@ -40,26 +41,33 @@ void checkValues(const MaterialExtension& x, const std::string& place, const Rep
   if (anyBelow(x.iridescenceThickness, 0.0f)) bad(materialValue, "iridescenceThickness below 0");
 }
 
-void checkTextures(const Asset& asset, const ChunkSet& present, const MaterialExtension& x,
-                   const std::string& place, const Reporter& report) {
-  const auto reference = [&](const char* name, TextureRef ref) {
-    checkReference(asset, present, chunk::kMaterialExtensions, place + ", " + name, ref, report);
-  };
-  reference("anisotropyTexture", x.anisotropyTexture);
-  reference("clearcoatTexture", x.clearcoatTexture);
-  reference("clearcoatRoughnessTexture", x.clearcoatRoughnessTexture);
-  reference("clearcoatNormalTexture", x.clearcoatNormalTexture);
-  reference("sheenColorTexture", x.sheenColorTexture);
-  reference("sheenRoughnessTexture", x.sheenRoughnessTexture);
-  reference("transmissionTexture", x.transmissionTexture);
-  reference("diffuseTransmissionTexture", x.diffuseTransmissionTexture);
-  reference("diffuseTransmissionColorTexture", x.diffuseTransmissionColorTexture);
-  reference("iridescenceTexture", x.iridescenceTexture);
-  reference("iridescenceThicknessTexture", x.iridescenceThicknessTexture);
-  reference("emissiveTexture", x.emissiveTexture);
+void checkReference(const Asset& asset, const ChunkSet& present, uint32_t chunk, const std::string& place,
+                    const char* name, TextureRef reference, const Reporter& report) {
+  if (reference.texture == kNone) return;
+  const bool exists = !present.has({chunk::kTextures}) || reference.texture < asset.textures.size();
+  const bool transformed =
+      !present.has({chunk::kTextureTransforms}) || reference.transform <= asset.textureTransforms.size();
+  if (exists && transformed && reference.texcoord <= 1) return;
+  report(materialTexture, chunk, fmt::format("{}, {}", place, name),
+         "texture {} of {}, texture coordinate {}, transform {} of {}", reference.texture,
+         asset.textures.size(), reference.texcoord, reference.transform, asset.textureTransforms.size());
 }
 
 }  // namespace
+
+void checkReferences(const Asset& asset, const ChunkSet& present, const Material& material,
+                     const std::string& place, const Reporter& report) {
+  forEachReference(material, [&](const char* name, TextureRef reference) {
+    checkReference(asset, present, chunk::kMaterials, place, name, reference, report);
+  });
+}
+
+void checkReferences(const Asset& asset, const ChunkSet& present, const MaterialExtension& extension,
+                     const std::string& place, const Reporter& report) {
+  forEachReference(extension, [&](const char* name, TextureRef reference) {
+    checkReference(asset, present, chunk::kMaterialExtensions, place, name, reference, report);
+  });
+}
 
 void checkMaterialExtensions(const Asset& asset, const ChunkSet& present, const Reporter& report) {
   const size_t count = asset.materialExtensions.size();
@@ -75,7 +83,7 @@ void checkMaterialExtensions(const Asset& asset, const ChunkSet& present, const 
   for (size_t i = 0; i < count; ++i) {
     const std::string place = fmt::format("material {}", i);
     checkValues(asset.materialExtensions[i], place, report);
-    checkTextures(asset, present, asset.materialExtensions[i], place, report);
+    checkReferences(asset, present, asset.materialExtensions[i], place, report);
   }
   if (asset.textureTransforms.size() > kMaxTextureTransforms)
     report(limits, chunk::kTextureTransforms, "", "{} entries, allowed are {}",

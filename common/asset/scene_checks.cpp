@@ -47,30 +47,10 @@ void checkMaterial(const Asset& asset, const ChunkSet& present, size_t index, co
     bad(materialValue, "alphaCutoff or specularColor below 0");
   if ((m.flags & ~uint32_t(kKnownFlags)) != 0 || m.reserved != 0)
     bad(reserved, "unknown flags or reserved field");
-  const auto reference = [&](const char* name, TextureRef ref) {
-    checkReference(asset, present, chunk::kMaterials, fmt::format("material {}, {}", index, name), ref,
-                   report);
-  };
-  reference("baseColorTexture", m.baseColorTexture);
-  reference("metallicRoughnessTexture", m.metallicRoughnessTexture);
-  reference("normalTexture", m.normalTexture);
-  reference("specularTexture", m.specularTexture);
-  reference("specularColorTexture", m.specularColorTexture);
+  checkReferences(asset, present, m, fmt::format("material {}", index), report);
 }
 
 }  // namespace
-
-void checkReference(const Asset& asset, const ChunkSet& present, uint32_t chunk, const std::string& what,
-                    TextureRef reference, const Reporter& report) {
-  if (reference.texture == kNone) return;
-  const bool exists = !present.has({chunk::kTextures}) || reference.texture < asset.textures.size();
-  const bool transformed =
-      !present.has({chunk::kTextureTransforms}) || reference.transform <= asset.textureTransforms.size();
-  if (exists && transformed && reference.texcoord <= 1) return;
-  report(materialTexture, chunk, what, "texture {} of {}, texture coordinate {}, transform {} of {}",
-         reference.texture, asset.textures.size(), reference.texcoord, reference.transform,
-         asset.textureTransforms.size());
-}
 
 void checkMesh(const Asset& asset, const ChunkSet& present, const Reporter& report) {
   for (uint32_t i = 0; i < asset.vertices.size(); ++i) checkVertex(asset, present, i, report);
