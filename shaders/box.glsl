@@ -20,6 +20,14 @@ Box unpackBox(uvec4 packed) {
   return Box(float(corner.x) / 65536.0, float(size.x) / 65536.0, latitudes, energy);
 }
 
+/// box.h: isEmission, unpackEmission.
+bool isEmission(uvec4 packed) { return packed.w >> 16 == 1; }
+
+vec3 unpackEmission(uvec4 packed) {
+  int exponent = clamp(int(packed.y & 0xFFFFu) - 32768, -126, 128);
+  return ldexp(vec3(unpackHalf2x16(packed.z), unpackHalf2x16(packed.w).x), ivec3(exponent));
+}
+
 bool isEmpty(Box box) { return all(equal(box.energy, vec3(0.0))); }
 
 vec3 boxWeight(Box box) { return box.energy / solidAngle(box.du, box.latitudes); }

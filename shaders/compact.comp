@@ -17,8 +17,8 @@ void main() {
   uint r = gl_GlobalInvocationID.x;
   if (gl_LocalInvocationID.x == 0) groupCount = 0;
   barrier();
-  bool seen = r < frame.recordCount && marks[r] != 0;
-  uint place = seen ? atomicAdd(groupCount, 1) : 0;
+  uint mark = r < frame.recordCount ? marks[r] : 0;
+  uint place = mark != 0 ? atomicAdd(groupCount, 1) : 0;
   barrier();
   if (gl_LocalInvocationID.x == 0 && groupCount > 0) {
     groupStart = atomicAdd(header.count, groupCount);
@@ -26,5 +26,5 @@ void main() {
   }
   if (r == 0) header.groups[1] = header.groups[2] = 1;
   barrier();
-  if (seen) visible[groupStart + place] = r;
+  if (mark != 0) visible[groupStart + place] = mark == kMarkLambert ? r | kLambertOnly : r;
 }

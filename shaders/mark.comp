@@ -1,20 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Every fragment marks the texel records that it will be filtered from.
+// Every fragment marks the texel records that it and the layers before it will be filtered from.
 #include "atlas.glsl"
 #include "fragments.glsl"
+#include "material_extension.glsl"
 
 layout(local_size_x = kPixelGroup, local_size_y = kPixelGroup) in;
-layout(std430, binding = kBindMarks) writeonly buffer Marks { uint marks[]; };
+layout(std430, binding = kBindMarks) buffer Marks { uint marks[]; };
 
-void markFragment(Fragment fragment) {
-  uvec3 vertices = triangles[fragment.triangle - 1].xyz;
-  Plane plane = loadPlane(vertices);
-  vec3 weight = hitWeights(plane, rayDirection(fragment.position));
-  AtlasCorners corners = atlasCorners(interpolate2(vertices, weight, kAtlasUvAt), seesFront(plane));
-  for (int k = 0; k < 4; ++k)
-    if (corners.record[k] != kAbsent) marks[corners.record[k]] = 1;
+void markRecords(AtlasCorners corners, uint mark) {
+  for (int k = 0; k < 4; ++k) {
+    uint r = corners.record[k];
+    if (r == kAbsent) continue;
+    if (kOtherSide)
+      atomicOr(marks[r], mark);
+    else
+      marks[r] = mark;
+  }
+}
+
+void markTriangle(uint index, vec2 position) {
+  uvec4 triangle = triangles[index];
+  Plane plane = loadPlane(triangle.xyz);
+  vec2 uv = interpolate2(triangle.xyz, hitWeights(plane, rayDirection(position)), kAtlasUvAt);
+  bool front = seesFront(plane);
+  markRecords(atlasCorners(uv, front), kMarkSeen);
+  if (kOtherSide && showsOtherSide(triangle.w)) markRecords(atlasCorners(uv, !front), kMarkLambert);
+}
+
+void markFragment(uvec2 pixel, Fragment fragment) {
+  for (uint layer = 0; layer < layerCount(); ++layer) {
+    uint triangle = loadLayer(layer, sampleIndex(pixel, fragment.first)).x;
+    if (triangle == 0) break;
+    markTriangle(triangle - 1, fragment.position);
+  }
+  if (fragment.triangle != 0) markTriangle(fragment.triangle - 1, fragment.position);
 }
 
 void main() {
@@ -23,6 +44,6 @@ void main() {
   uvec2 pending = allSamples();
   do {
     Fragment fragment = nextFragment(pixel, pending);
-    if (fragment.triangle != 0) markFragment(fragment);
+    markFragment(pixel, fragment);
   } while (pending != uvec2(0));
 }

@@ -5,8 +5,11 @@
 #include "mesh.glsl"
 #include "texture.glsl"
 
+layout(constant_id = kConstantTransformed) const bool kTransformed = true;
+
+/// asset::TextureRef: `place` is the set of texture coordinates and, shifted by 16, the transform + 1.
 struct TextureRef {
-  uint texture, texcoord;
+  uint texture, place;
 };
 
 /// asset::Material.
@@ -21,7 +24,13 @@ struct Material {
 
 layout(std430, binding = kBindMaterials) readonly buffer Materials { Material materials[]; };
 
-const uint kDoubleSided = 1, kAlphaMask = 2;  // asset::MaterialFlags
+const uint kDoubleSided = 1, kAlphaMask = 2, kAlphaBlend = 4, kUnlit = 8, kMultipleScattering = 32;  // asset::MaterialFlags
+
+/// asset::TextureTransform.
+struct TextureTransform {
+  float rows[6];
+};
+layout(std430, binding = kBindTextureTransforms) readonly buffer TextureTransforms { TextureTransform textureTransforms[]; };
 
 /// A point of a triangle, and the points that the neighbouring pixels see of its plane.
 struct SurfacePoint {
@@ -29,12 +38,31 @@ struct SurfacePoint {
   vec3 weight, weightDx, weightDy;  // barycentric
 };
 
+/// The linear part of a reference's transform, and its offset.
+struct UvTransform {
+  mat2 linear;
+  vec2 offset;
+};
+
+UvTransform uvTransform(TextureRef ref) {
+  uint transform = ref.place >> 16;
+  if (transform == 0) return UvTransform(mat2(1.0), vec2(0.0));
+  float rows[6] = textureTransforms[transform - 1].rows;
+  return UvTransform(mat2(rows[0], rows[3], rows[1], rows[4]), vec2(rows[2], rows[5]));
+}
+
 vec4 sampleRef(TextureRef ref, SurfacePoint point, vec4 absent) {
   if (ref.texture == kAbsent) return absent;
-  uint member = kUvAt + 2 * ref.texcoord;
+  uint member = kUvAt + 2 * (ref.place & 0xFFFFu);
   vec2 uv = interpolate2(point.vertices, point.weight, member);
   vec2 dx = interpolate2(point.vertices, point.weightDx, member) - uv;
   vec2 dy = interpolate2(point.vertices, point.weightDy, member) - uv;
+  if (kTransformed) {
+    UvTransform transform = uvTransform(ref);
+    uv = transform.linear * uv + transform.offset;
+    dx = transform.linear * dx;
+    dy = transform.linear * dy;
+  }
   return sampleTexture(ref.texture, uv, dx, dy);
 }
 

@@ -7,8 +7,8 @@
 #include "light_domain.glsl"
 #include "reflectance.glsl"
 
-layout(constant_id = 0) const bool kGlossy = true;
-layout(constant_id = 1) const bool kBackground = true;
+layout(constant_id = kConstantGlossy) const bool kGlossy = true;
+layout(constant_id = kConstantBackground) const bool kBackground = true;
 
 layout(local_size_x = kPixelGroup, local_size_y = kPixelGroup) in;
 layout(std430, binding = kBindMarks) readonly buffer Marks { uint marks[]; };
@@ -34,57 +34,98 @@ vec3 backgroundRadiance(vec3 direction) {
   return mix(top, bottom, f.y);
 }
 
-/// Demodulated radiance at an atlas position, over those of the four records that were shaded. (All that exist were marked; should
-/// two shaders round a position to different texels, the filter shrinks instead of reading what was never written.)
-void filterShaded(vec2 uv, bool front, out vec3 diffuse, out vec3 glossy) {
+/// What arrives at an atlas position, demodulated.
+struct FilteredRadiance {
+  vec3 diffuse, glossy;
+};
+
+/// The mean over those of the four records that were shaded. (All that exist were marked; should two shaders round a position to
+/// different texels, the filter shrinks instead of reading what was never written.)
+FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy) {
   AtlasCorners corners = atlasCorners(uv, front);
-  diffuse = glossy = vec3(0.0);
+  FilteredRadiance sum = FilteredRadiance(vec3(0.0), vec3(0.0));
   float total = 0.0;
   for (int k = 0; k < 4; ++k) {
     uint r = corners.record[k];
     if (r == kAbsent || marks[r] == 0) continue;
     total += corners.weight[k];
-    diffuse += corners.weight[k] * shaded[2 * r].rgb;
-    if (kGlossy) glossy += corners.weight[k] * shaded[2 * r + 1].rgb;
+    sum.diffuse += corners.weight[k] * shaded[2 * r].rgb;
+    if (withGlossy) sum.glossy += corners.weight[k] * shaded[2 * r + 1].rgb;
   }
   float scale = total > 0.0 ? 1.0 / total : 0.0;
-  diffuse *= scale;
-  glossy *= scale;
+  return FilteredRadiance(sum.diffuse * scale, sum.glossy * scale);
 }
 
-vec3 surfaceRadiance(Fragment fragment) {
-  uvec4 triangle = triangles[fragment.triangle - 1];
+/// Towards the eye, of the plane of a triangle where the ray through a pixel position meets it.
+vec3 surfaceRadiance(uint index, vec2 position) {
+  uvec4 triangle = triangles[index];
   Plane plane = loadPlane(triangle.xyz);
-  vec3 direction = rayDirection(fragment.position);
+  vec3 direction = rayDirection(position);
   SurfacePoint point;
   point.vertices = triangle.xyz;
   point.weight = hitWeights(plane, direction);
   if (kTextured) {
-    point.weightDx = planeWeights(plane, rayDirection(fragment.position + vec2(1.0, 0.0)));
-    point.weightDy = planeWeights(plane, rayDirection(fragment.position + vec2(0.0, 1.0)));
+    point.weightDx = planeWeights(plane, rayDirection(position + vec2(1.0, 0.0)));
+    point.weightDy = planeWeights(plane, rayDirection(position + vec2(0.0, 1.0)));
   }
   bool front = seesFront(plane);
-  Reflectance factors = reflectance(materials[triangle.w], point, front, -normalize(direction));
-  vec3 diffuse, glossy;
-  filterShaded(interpolate2(triangle.xyz, point.weight, kAtlasUvAt), front, diffuse, glossy);
-  return factors.diffuse * diffuse + (kGlossy ? factors.glossy * glossy : vec3(0.0));
+  Reflectance factors = reflectance(triangle.w, point, front, -normalize(direction));
+  vec2 uv = interpolate2(triangle.xyz, point.weight, kAtlasUvAt);
+  FilteredRadiance seen = filterShaded(uv, front, kGlossy);
+  vec3 radiance = factors.diffuse * seen.diffuse;
+  if (kGlossy) radiance += factors.glossy * seen.glossy;
+  if (kOtherSide && showsOtherSide(triangle.w)) radiance += factors.transmitted * filterShaded(uv, !front, false).diffuse;
+  return kExtended ? radiance + factors.emission : radiance;
+}
+
+const uint kWeights = kLayers + 1;
+
+/// How much of a fragment's samples each layer covers, front to back, and last what is left for what lies behind them: alpha at
+/// full resolution, sample by sample, each over the next (Porter and Duff, "Compositing Digital Images", SIGGRAPH 1984).
+void layerWeights(uvec2 pixel, Fragment fragment, inout float weight[kWeights]) {
+  for (uint layer = 0; layer < kWeights; ++layer) weight[layer] = 0.0;
+  for (uint s = fragment.first; s < frame.samples * frame.samples; ++s) {
+    if ((s < 32 ? fragment.members.x >> s & 1 : fragment.members.y >> (s - 32) & 1) == 0) continue;
+    uint at = sampleIndex(pixel, s);
+    float left = 1.0;
+    for (uint layer = 0; layer < layerCount(); ++layer) {
+      uvec2 covering = loadLayer(layer, at);
+      if (covering.x == 0) break;
+      float alpha = uintBitsToFloat(covering.y);
+      weight[layer] += left * alpha;
+      left *= 1.0 - alpha;
+    }
+    weight[kLayers] += left;
+  }
+}
+
+/// Radiance and coverage, summed over the fragment's samples.
+vec4 layeredRadiance(uvec2 pixel, Fragment fragment, out float left) {
+  float weight[kWeights];
+  layerWeights(pixel, fragment, weight);
+  vec4 sum = vec4(0.0);
+  for (uint layer = 0; layer < layerCount(); ++layer) {
+    uint triangle = loadLayer(layer, sampleIndex(pixel, fragment.first)).x;
+    if (triangle == 0) break;
+    sum += weight[layer] * vec4(surfaceRadiance(triangle - 1, fragment.position), 1.0);
+  }
+  left = weight[kLayers];
+  return sum;
 }
 
 void main() {
   uvec2 pixel = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(pixel, tile.size))) return;
-  vec3 sum = vec3(0.0);
-  uint covered = 0;
+  vec4 sum = vec4(0.0);
   uvec2 pending = allSamples();
   do {
     Fragment fragment = nextFragment(pixel, pending);
-    if (fragment.triangle != 0) {
-      sum += surfaceRadiance(fragment) * float(fragment.samples);
-      covered += fragment.samples;
-    } else if (kBackground) {
-      sum += backgroundRadiance(rayDirection(fragment.position)) * float(fragment.samples);
-      covered += fragment.samples;
-    }
+    float left = float(fragment.samples);
+    if (kLayers > 0) sum += layeredRadiance(pixel, fragment, left);
+    if (fragment.triangle != 0)
+      sum += left * vec4(surfaceRadiance(fragment.triangle - 1, fragment.position), 1.0);
+    else if (kBackground)
+      sum += left * vec4(backgroundRadiance(rayDirection(fragment.position)), 1.0);
   } while (pending != uvec2(0));
-  picture[pixel.y * tile.size.x + pixel.x] = vec4(sum, float(covered)) / float(frame.samples * frame.samples);
+  picture[pixel.y * tile.size.x + pixel.x] = sum / float(frame.samples * frame.samples);
 }

@@ -10,6 +10,7 @@
 layout(constant_id = 0) const bool kInterpolateWeight = false;
 layout(constant_id = 1) const uint kBoxPools = 1;
 layout(constant_id = 2) const bool kGlossy = true;
+layout(constant_id = 3) const bool kEmitters = true;  // has any kernel emitted radiance?
 
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord records[]; };
@@ -41,20 +42,29 @@ Kernel findKernel(uint stream, GpuRecord record, uint boxes) {
   return Kernel(((upper ? page.maskHigh : page.maskLow) & bit) != 0, page.pool, page.firstBox + rank * boxes);
 }
 
-Box loadBox(Kernel kernel, uint j) {
+uvec4 loadPacked(Kernel kernel, uint j) {
   uint i = kernel.present ? kernel.first + j : 0;
-  if (kBoxPools > 1 && kernel.pool == 1) return unpackBox(boxes1[i]);
-  if (kBoxPools > 2 && kernel.pool == 2) return unpackBox(boxes2[i]);
-  if (kBoxPools > 3 && kernel.pool == 3) return unpackBox(boxes3[i]);
-  return unpackBox(boxes0[i]);
+  if (kBoxPools > 1 && kernel.pool == 1) return boxes1[i];
+  if (kBoxPools > 2 && kernel.pool == 2) return boxes2[i];
+  if (kBoxPools > 3 && kernel.pool == 3) return boxes3[i];
+  return boxes0[i];
 }
+
+Box loadBox(Kernel kernel, uint j) { return unpackBox(loadPacked(kernel, j)); }
+
+/// Of slot 0: true for all kernels of a tile and a kind of stream, or for none.
+bool emits(Kernel kernel) { return kEmitters && kernel.present && isEmission(loadPacked(kernel, 0)); }
+
+vec3 emittedRadiance(Kernel kernel) { return kernel.present ? unpackEmission(loadPacked(kernel, 0)) : vec3(0.0); }
 
 vec3 diffuseRadiance(GpuRecord record) {
   uint boxes = tiles[record.tile].w;
   Kernel kernel = findKernel(frame.diffuseStream, record, boxes);
-  vec3 sum = vec3(0.0);
-  if (!kernel.present) return sum;
-  for (uint j = 0; j < min(boxes, frame.boxLimit); ++j) {
+  if (!kernel.present) return vec3(0.0);
+  bool emitting = emits(kernel);
+  vec3 sum = emitting ? emittedRadiance(kernel) : vec3(0.0);
+  uint first = emitting ? 1 : 0;
+  for (uint j = first; j < first + min(boxes - first, frame.boxLimit); ++j) {
     Box box = loadBox(kernel, j);
     float omega;
     vec3 light = integrateLight(box.u, box.du, box.latitudes, omega);
@@ -73,10 +83,13 @@ vec3 glossyRadiance(GpuRecord record) {
          c = findKernel(blend.view.z, record, boxes);
   vec3 weight = blend.weight * vec3(a.present, b.present, c.present);
   float total = weight.x + weight.y + weight.z;
-  vec3 sum = vec3(0.0);
-  if (total <= 0.0) return sum;
+  if (total <= 0.0) return vec3(0.0);
   weight /= total;
-  for (uint j = 0; j < min(boxes, frame.boxLimit); ++j) {
+  bool emitting = emits(a) || emits(b) || emits(c);
+  vec3 sum = vec3(0.0);
+  if (emitting) sum = weight.x * emittedRadiance(a) + weight.y * emittedRadiance(b) + weight.z * emittedRadiance(c);
+  uint first = emitting ? 1 : 0;
+  for (uint j = first; j < first + min(boxes - first, frame.boxLimit); ++j) {
     Box box = interpolateBoxes(loadBox(a, j), loadBox(b, j), loadBox(c, j), weight, kInterpolateWeight);
     float omega;
     vec3 light = integrateLight(box.u, box.du, box.latitudes, omega);
@@ -87,8 +100,8 @@ vec3 glossyRadiance(GpuRecord record) {
 
 void main() {
   if (gl_GlobalInvocationID.x >= header.count) return;
-  uint r = visible[gl_GlobalInvocationID.x];
+  uint entry = visible[gl_GlobalInvocationID.x], r = entry & ~kLambertOnly;
   GpuRecord record = records[r];
   shaded[2 * r] = vec4(diffuseRadiance(record), 0.0);
-  if (kGlossy) shaded[2 * r + 1] = vec4(glossyRadiance(record), 0.0);
+  if (kGlossy && entry == r) shaded[2 * r + 1] = vec4(glossyRadiance(record), 0.0);
 }

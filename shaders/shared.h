@@ -18,43 +18,69 @@ using uint = unsigned;
 #endif
 
 // Bindings of the one descriptor set.
-SHARED_CONSTANT kBindFrame = 0;          // FrameConstants
-SHARED_CONSTANT kBindVertices = 1;       // asset::Vertex, as floats
-SHARED_CONSTANT kBindTriangles = 2;      // asset::Triangle
-SHARED_CONSTANT kBindMaterials = 3;      // asset::Material
-SHARED_CONSTANT kBindTextures = 4;       // TextureHeader
-SHARED_CONSTANT kBindTextureLevels = 5;  // TextureLevel
-SHARED_CONSTANT kBindTexels = 6;         // RGBA8
-SHARED_CONSTANT kBindAtlas = 7;          // asset::AtlasTexel
-SHARED_CONSTANT kBindRecords = 8;        // GpuRecord
-SHARED_CONSTANT kBindTiles = 9;          // asset::Tile
-SHARED_CONSTANT kBindPageTable = 10;     // PageSlot[streamCount][tileCount]
-SHARED_CONSTANT kBindBoxPools = 11;      // kMaxBoxPools bindings of asset::PackedBox
-SHARED_CONSTANT kBindViews = 15;         // ViewTriangle
-SHARED_CONSTANT kBindLightMap = 16;      // RGB floats
-SHARED_CONSTANT kBindRowFactors = 17;    // one float a row
-SHARED_CONSTANT kBindRowSums = 18;       // RowSum
-SHARED_CONSTANT kBindSummedArea = 19;    // packed prefixes
-SHARED_CONSTANT kBindVisible = 20;       // VisibleHeader, then record indices
-SHARED_CONSTANT kBindMarks = 21;         // one word a record
-SHARED_CONSTANT kBindShaded = 22;        // two vec4 a record: diffuse, glossy
-SHARED_CONSTANT kBindTables = 23;        // floats: see kTable... below
-SHARED_CONSTANT kBindBackground = 24;    // environment image, RGB floats
-SHARED_CONSTANT kBindPicture = 25;       // RGBA floats of one image tile
-SHARED_CONSTANT kBufferBindings = 26;
-SHARED_CONSTANT kBindVisibility = 26;  // r32ui image: triangle + 1, or 0
+SHARED_CONSTANT kBindFrame = 0;                // FrameConstants
+SHARED_CONSTANT kBindVertices = 1;             // asset::Vertex, as floats
+SHARED_CONSTANT kBindTriangles = 2;            // asset::Triangle
+SHARED_CONSTANT kBindMaterials = 3;            // asset::Material
+SHARED_CONSTANT kBindTextures = 4;             // TextureHeader
+SHARED_CONSTANT kBindTextureLevels = 5;        // TextureLevel
+SHARED_CONSTANT kBindTexels = 6;               // RGBA8
+SHARED_CONSTANT kBindAtlas = 7;                // asset::AtlasTexel
+SHARED_CONSTANT kBindRecords = 8;              // GpuRecord
+SHARED_CONSTANT kBindTiles = 9;                // asset::Tile
+SHARED_CONSTANT kBindPageTable = 10;           // PageSlot[streamCount][tileCount]
+SHARED_CONSTANT kBindBoxPools = 11;            // kMaxBoxPools bindings of asset::PackedBox
+SHARED_CONSTANT kBindViews = 15;               // ViewTriangle
+SHARED_CONSTANT kBindLightMap = 16;            // RGB floats
+SHARED_CONSTANT kBindRowFactors = 17;          // one float a row
+SHARED_CONSTANT kBindRowSums = 18;             // RowSum
+SHARED_CONSTANT kBindSummedArea = 19;          // packed prefixes
+SHARED_CONSTANT kBindVisible = 20;             // VisibleHeader, then record indices
+SHARED_CONSTANT kBindMarks = 21;               // one word a record
+SHARED_CONSTANT kBindShaded = 22;              // two vec4 a record: diffuse, glossy
+SHARED_CONSTANT kBindTables = 23;              // floats: see kTable... below
+SHARED_CONSTANT kBindBackground = 24;          // environment image, RGB floats
+SHARED_CONSTANT kBindPicture = 25;             // RGBA floats of one image tile
+SHARED_CONSTANT kBindMaterialExtensions = 26;  // asset::MaterialExtension
+SHARED_CONSTANT kBindTextureTransforms = 27;   // asset::TextureTransform
+SHARED_CONSTANT kBindBlended = 28;             // indices of the blended triangles, ascending
+SHARED_CONSTANT kBindLayers = 29;              // LayerHeader, then uvec2[layer][sample]: triangle + 1, alpha
+SHARED_CONSTANT kBindLayerDepths = 30;         // floats[2][sample]: of the opaque triangle, of the last layer
+SHARED_CONSTANT kBufferBindings = 31;
+SHARED_CONSTANT kBindVisibility = 31;  // r32ui image: triangle + 1, or 0
+
+// Specialisation constants of every shader that looks at surfaces: what an asset does not have is not
+// compiled in.
+SHARED_CONSTANT kConstantGlossy = 0;       // any glossy kernel
+SHARED_CONSTANT kConstantBackground = 1;   // the environment behind the object
+SHARED_CONSTANT kConstantTextured = 2;     // any texture
+SHARED_CONSTANT kConstantTransformed = 3;  // any transformed texture
+SHARED_CONSTANT kConstantColored = 4;      // any vertex colour
+SHARED_CONSTANT kConstantMasked = 5;       // any asset::kAlphaMask
+SHARED_CONSTANT kConstantExtended = 6;     // any asset::MaterialExtension
+SHARED_CONSTANT kConstantClearcoat = 7;    // any material with a coat
+SHARED_CONSTANT kConstantSheen = 8;        // ... with sheen
+SHARED_CONSTANT kConstantOtherSide = 9;    // ... with diffuse transmission
+SHARED_CONSTANT kConstantLayers = 10;      // blended layers at most, 0 without asset::kAlphaBlend
+SHARED_CONSTANT kSurfaceConstants = 11;
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
-// Fresnel factor [n.v], and the linear values of the 256 sRGB codes.
+// Fresnel factor [n.v], the linear values of the 256 sRGB codes, and, where anything has a sheen, its
+// albedo [n.v][roughness].
 SHARED_CONSTANT kAlbedoNodes = 64;
 SHARED_CONSTANT kTableFresnel = 2 * kAlbedoNodes * kAlbedoNodes;
 SHARED_CONSTANT kTableSrgb = kTableFresnel + kAlbedoNodes;
-SHARED_CONSTANT kTableSize = kTableSrgb + 256;
+SHARED_CONSTANT kTableSheen = kTableSrgb + 256;
 
 SHARED_CONSTANT kMaxBoxPools = 4;
 SHARED_CONSTANT kGroupSize = 64;  // threads of every linear dispatch
 SHARED_CONSTANT kPixelGroup = 8;  // threads each way of every dispatch over an image
 SHARED_CONSTANT kAbsent = 0xFFFFFFFFu;
+
+// Marks of texel records. On the list, kLambertOnly is set where kMarkSeen is not.
+SHARED_CONSTANT kMarkSeen = 1u;
+SHARED_CONSTANT kMarkLambert = 2u;  // needed by the other side, which lets diffuse light through
+SHARED_CONSTANT kLambertOnly = 0x80000000u;
 
 // Summed-area table: prefixes are summed with kGuardBits below the unit that is kept, then rounded to
 // kPrefixBits.
@@ -82,6 +108,18 @@ struct FrameConstants {
 // A rectangle of the picture, in pixels.
 struct ImageTile {
   uvec2 origin, size;
+};
+
+// What the passes over an image tile are told.
+struct TilePush {
+  ImageTile tile;
+  uint layers;  // drawn so far: the index of the one to draw, or the number to look at
+};
+
+// Before the layers: `found` counts the samples of the last one (layer_count.comp).
+struct LayerHeader {
+  uint found;
+  uint reserved[3];
 };
 
 struct TextureHeader {

@@ -4,7 +4,7 @@
 // Which triangle a sample sees. Everything else about the point is found again from the ray.
 #include "material.glsl"
 
-layout(constant_id = 0) const bool kMasked = true;
+layout(constant_id = kConstantMasked) const bool kMasked = true;
 layout(location = 0) flat in uint triangleIn;
 layout(location = 1) in vec2 weightIn;
 layout(location = 0) out uint sampleOut;

@@ -30,6 +30,16 @@ double interpolatedStart(const std::array<Box, 3>& boxes, const std::array<doubl
   return start - std::floor(start);
 }
 
+/// Slots before the boxes: one if the kernel has emitted radiance.
+size_t emissionSlots(std::span<const PackedBox> kernel) {
+  return !kernel.empty() && isEmission(kernel.front()) ? 1 : 0;
+}
+
+/// Behind the boxes that take part.
+size_t lastSlot(size_t slots, size_t first, uint32_t maxBoxes) {
+  return first + std::min<size_t>(slots - std::min(slots, first), maxBoxes);
+}
+
 /// Mean radiance of the light over a box, times energy: w * (K . L).
 dvec3 light(const Rectangle& rectangle, dvec3 energy, const SummedArea& lights, double uOffset) {
   return energy * lights.integrate(rectangle, uOffset) / rectangle.solidAngle();
@@ -90,8 +100,10 @@ TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& li
                                  Interpolation interpolation, uint32_t maxBoxes) {
   TexelRadiance radiance;
   const auto lambert = kernel(asset_.diffuseStream(), record);
-  for (const PackedBox& packed : lambert.first(std::min<size_t>(lambert.size(), maxBoxes))) {
-    const Box box = unpackBox(packed);
+  const size_t first = emissionSlots(lambert), last = lastSlot(lambert.size(), first, maxBoxes);
+  if (first > 0) radiance.diffuse += dvec3(unpackEmission(lambert.front()));
+  for (size_t j = first; j < last; ++j) {
+    const Box box = unpackBox(lambert[j]);
     radiance.diffuse += light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
   }
   const asset::TexelRecord& texel = asset_.records[record];
@@ -107,18 +119,21 @@ dvec3 Relighter::glossy(uint32_t record, vec3 view, const SummedArea& lights, do
   const ViewBlend blend = views_.locate(view);
   std::array<std::span<const PackedBox>, 3> kernels;
   vec3 weight(0.0f);
-  size_t slots = 0;
+  size_t slots = 0, first = 0;
   for (int k = 0; k < 3; ++k) {
     kernels[k] = kernel(blend.view[k], record);
     if (!kernels[k].empty()) weight[k] = blend.weight[k];
     slots = std::max(slots, kernels[k].size());
+    first = std::max(first, emissionSlots(kernels[k]));
   }
   const float total = weight.x + weight.y + weight.z;
   if (!(total > 0.0f)) return dvec3(0.0);
   weight /= total;
 
   dvec3 radiance(0.0);
-  for (size_t j = 0; j < std::min<size_t>(slots, maxBoxes); ++j) {
+  for (int k = 0; k < 3 && first > 0; ++k)
+    if (!kernels[k].empty()) radiance += double(weight[k]) * dvec3(unpackEmission(kernels[k].front()));
+  for (size_t j = first; j < lastSlot(slots, first, maxBoxes); ++j) {
     std::array<Box, 3> boxes;  // a missing view's box stays empty
     for (int k = 0; k < 3; ++k)
       if (!kernels[k].empty()) boxes[k] = unpackBox(kernels[k][j]);

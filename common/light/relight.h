@@ -55,9 +55,9 @@ class Relighter {
   Relighter(const asset::Asset& asset, PageProvider pages);  ///< both must outlive this
 
   /// Radiance that leaves `record` towards `eye` under the light of `lights` turned by `uOffset`. The view
-  /// direction is raised to kHorizonCosine above the record's normal. Slots below `maxBoxes` take part; they
-  /// are stored by falling energy. A view without a kernel for this record is left out and the weights of the
-  /// others are scaled to sum to 1.
+  /// direction is raised to kHorizonCosine above the record's normal. The first `maxBoxes` boxes take part;
+  /// they are stored by falling energy. Emitted radiance is added to them, interpolated like energy. A view
+  /// without a kernel for this record is left out and the weights of the others are scaled to sum to 1.
   TexelRadiance relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset = 0.0,
                         Interpolation interpolation = Interpolation::energy, uint32_t maxBoxes = ~0u);
 

@@ -7,7 +7,7 @@
 #include "common/light/environment.h"
 #include "common/light/light_domain.h"
 #include "common/light/light_map.h"
-#include "runtime/kernels/pages.h"
+#include "runtime/kernels/layers.h"
 #include "runtime/kernels/scene_buffers.h"
 #include "runtime/kernels/shade.h"
 #include "runtime/kernels/visibility.h"
@@ -19,10 +19,13 @@ namespace {
 constexpr uint32_t kMaxTileSamples = 4096;  // each way: 128 MiB of visibility and depth
 
 /// Image tiles that cover the picture, within what the device's images and buffers hold.
-std::vector<ImageTile> splitPicture(const FrameSettings& settings, const DeviceLimits& limits) {
+std::vector<ImageTile> splitPicture(const FrameSettings& settings, const DeviceLimits& limits, bool blended) {
+  const uint64_t layerBytes =
+      blended ? settings.samples * settings.samples * LayerPass::bytesPerSample(settings.layerLimit) : 0;
+  const uint64_t pixelBytes = std::max<uint64_t>(sizeof(vec4), layerBytes);
   const uint32_t samples = std::min(limits.maxImageSize, kMaxTileSamples) / settings.samples;
   uint32_t edge = std::min(settings.tileEdge, samples);
-  while (uint64_t(edge) * edge * sizeof(vec4) > limits.maxStorageBufferRange) edge /= 2;
+  while (uint64_t(edge) * edge * pixelBytes + sizeof(LayerHeader) > limits.maxStorageBufferRange) edge /= 2;
   std::vector<ImageTile> tiles;
   const uvec2 size = settings.camera.size;
   for (uint32_t y = 0; y < size.y; y += edge)
@@ -85,43 +88,50 @@ void addTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) 
 }  // namespace
 
 struct FrameRenderer::Parts {
-  Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment, const FrameSettings& chosen);
+  Parts(Device& gpu, const AssetSource& source, const Image& environment, const FrameSettings& chosen);
   void findVisible();
-  void drawTile(Commands& commands, const ImageTile& tile);
-  void resolveTile(Commands& commands, const ImageTile& tile);
+  void findLayers(size_t tile);
+  void drawSamples(Commands& commands, size_t tile);
+  void drawTile(Commands& commands, size_t tile);
+  void resolveTile(Commands& commands, size_t tile);
   void shadeRecords(Commands& commands);
   void keepTile(const ImageTile& tile);
 
   Device& device;
   FrameSettings settings;
-  std::vector<ImageTile> tiles;  // of the picture; the first is the largest
+  bool blended;
+  std::vector<ImageTile> tiles;      // of the picture; the first is the largest
+  std::vector<uint32_t> tileLayers;  // blended ones that each tile shows
   Bindings bindings;
   SceneBuffers scene;
   LightTable light;
   Buffer frame, background;
   ShadedRecords shaded;
+  SurfaceConstants constants;
   VisibilityPass visibility;
-  ResolvePass resolve;
+  std::optional<LayerPass> layers;
+  std::optional<ResolvePass> resolve;
   std::optional<ResidentPages> pages;
   std::optional<ShadePass> shade;
   FrameCounts counts;
   Image picture;
 };
 
-FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment,
+FrameRenderer::Parts::Parts(Device& gpu, const AssetSource& source, const Image& environment,
                             const FrameSettings& chosen)
     : device(gpu),
       settings(chosen),
-      tiles(splitPicture(settings, gpu.limits())),
+      blended(isBlended(source.asset)),
+      tiles(splitPicture(settings, gpu.limits(), blended)),
+      tileLayers(tiles.size()),
       bindings(gpu),
-      scene(gpu, bindings, reader.asset()),
+      scene(gpu, bindings, source.asset),
       light(gpu, bindings, makeLightMap(environment, settings.lightSize)),
       frame(gpu, "frame constants", sizeof(FrameConstants)),
       background(gpu, "no background", 0),
-      shaded(gpu, bindings, reader.asset()),
-      visibility(gpu, bindings, reader.asset(), tiles.front().size * settings.samples),
-      resolve(gpu, bindings, reader.asset(), uint64_t(tiles.front().size.x) * tiles.front().size.y,
-              settings.background),
+      shaded(gpu, bindings, source.asset),
+      constants(surfaceConstants(source.asset, settings.background, blended ? settings.layerLimit : 0)),
+      visibility(gpu, bindings, source.asset, constants, tiles.front().size * settings.samples),
       picture(makeImage(settings.camera.size.x, settings.camera.size.y, 4)) {
   uvec2 backgroundSize(0);
   if (settings.background) {
@@ -130,27 +140,57 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const
     background = makeBuffer(gpu, "background", image.pixels);
     bindings.set(kBindBackground, background);
   }
-  const FrameConstants constants = makeConstants(reader.asset(), settings, backgroundSize, light.unit());
-  upload(gpu, frame, std::as_bytes(std::span(&constants, 1)));
+  const FrameConstants camera = makeConstants(source.asset, settings, backgroundSize, light.unit());
+  upload(gpu, frame, std::as_bytes(std::span(&camera, 1)));
   bindings.set(kBindFrame, frame);
+  if (blended)
+    layers.emplace(gpu, bindings, source.asset, constants, tiles.front().size * settings.samples,
+                   settings.layerLimit);
 
   findVisible();
-  const std::vector<uint32_t> visible = visibility.readList(gpu);
-  pages.emplace(gpu, bindings, reader, visible, settings.camera.eye, settings.poolBytes, settings.threads);
-  shade.emplace(gpu, bindings, reader.asset(), pages->poolCount(), settings.interpolation);
-  counts = {visible.size(), countBoxes(reader.asset(), visible, settings.boxLimit), pages->pageCount(),
-            pages->bytes(), scene.bytes()};
+  const std::vector<VisibleRecord> visible = visibility.readList(gpu);
+  pages.emplace(gpu, bindings, source, visible, settings.camera.eye, settings.poolBytes, settings.threads);
+  shade.emplace(gpu, bindings, source.asset, pages->poolCount(), pages->emitters(), settings.interpolation);
+  constants[kConstantLayers] = counts.layers;
+  resolve.emplace(gpu, bindings, constants, uint64_t(tiles.front().size.x) * tiles.front().size.y);
+  counts.visibleRecords = visible.size();
+  counts.boxes = pages->countBoxes(source.asset, visible, settings.boxLimit);
+  counts.pages = pages->pageCount();
+  counts.pageBytes = pages->bytes();
+  counts.sceneBytes = scene.bytes();
 }
 
 void FrameRenderer::Parts::findVisible() {
   device.run([&](Commands& commands) { visibility.clear(commands); });
-  for (const ImageTile& tile : tiles) device.run([&](Commands& commands) { drawTile(commands, tile); });
+  for (size_t tile = 0; tile < tiles.size(); ++tile) {
+    if (layers) findLayers(tile);
+    device.run([&](Commands& commands) { drawTile(commands, tile); });
+  }
   device.run([&](Commands& commands) { visibility.compact(commands); });
+  if (counts.cutLayerSamples > 0)
+    log().warn("{} samples have more than {} blended layers; the farther ones are left out: see --layers",
+               counts.cutLayerSamples, settings.layerLimit);
 }
 
-void FrameRenderer::Parts::drawTile(Commands& commands, const ImageTile& tile) {
-  commands.pass("visibility", [&] { visibility.draw(commands, tile, settings.samples); });
-  commands.pass("mark", [&] { visibility.mark(commands, tile); });
+void FrameRenderer::Parts::findLayers(size_t tile) {
+  device.run([&](Commands& commands) { visibility.draw(commands, tiles[tile], settings.samples); });
+  const auto need = layers->find(device, visibility.target(), tiles[tile], settings.samples);
+  tileLayers[tile] = need.layers;
+  counts.layers = std::max(counts.layers, need.layers);
+  counts.cutLayerSamples += need.cutSamples;
+}
+
+void FrameRenderer::Parts::drawSamples(Commands& commands, size_t tile) {
+  commands.pass("visibility", [&] { visibility.draw(commands, tiles[tile], settings.samples); });
+  if (!layers) return;
+  commands.pass("layers", [&] {
+    layers->draw(commands, visibility.target(), tiles[tile], settings.samples, tileLayers[tile]);
+  });
+}
+
+void FrameRenderer::Parts::drawTile(Commands& commands, size_t tile) {
+  drawSamples(commands, tile);
+  commands.pass("mark", [&] { visibility.mark(commands, tiles[tile], tileLayers[tile]); });
 }
 
 void FrameRenderer::Parts::shadeRecords(Commands& commands) {
@@ -158,22 +198,21 @@ void FrameRenderer::Parts::shadeRecords(Commands& commands) {
   commands.pass("shade", [&] { shade->shade(commands, visibility.list()); });
 }
 
-void FrameRenderer::Parts::resolveTile(Commands& commands, const ImageTile& tile) {
-  if (tiles.size() > 1)  // the image holds the last tile drawn
-    commands.pass("visibility", [&] { visibility.draw(commands, tile, settings.samples); });
-  commands.pass("resolve", [&] { resolve.resolve(commands, tile); });
+void FrameRenderer::Parts::resolveTile(Commands& commands, size_t tile) {
+  if (tiles.size() > 1) drawSamples(commands, tile);  // the image holds the last tile drawn
+  commands.pass("resolve", [&] { resolve->resolve(commands, tiles[tile], tileLayers[tile]); });
 }
 
 void FrameRenderer::Parts::keepTile(const ImageTile& tile) {
-  const std::vector<vec4> pixels = resolve.read(device, tile);
+  const std::vector<vec4> pixels = resolve->read(device, tile);
   for (uint32_t y = 0; y < tile.size.y; ++y)
     std::copy_n(&pixels[size_t(y) * tile.size.x].x, size_t(4) * tile.size.x,
                 picture.at(tile.origin.x, tile.origin.y + y));
 }
 
-FrameRenderer::FrameRenderer(Device& device, const asset::AssetReader& reader, const Image& environment,
+FrameRenderer::FrameRenderer(Device& device, const AssetSource& source, const Image& environment,
                              const FrameSettings& settings)
-    : parts_(std::make_unique<Parts>(device, reader, environment, settings)) {
+    : parts_(std::make_unique<Parts>(device, source, environment, settings)) {
   run();
 }
 
@@ -187,11 +226,12 @@ std::vector<PassTime> FrameRenderer::run() {
     commands.pass("light table", [&] { p.light.build(commands); });
     commands.pass("clear", [&] { p.visibility.clear(commands); });
   });
-  for (const ImageTile& tile : p.tiles) submit([&](Commands& commands) { p.drawTile(commands, tile); });
+  for (size_t tile = 0; tile < p.tiles.size(); ++tile)
+    submit([&](Commands& commands) { p.drawTile(commands, tile); });
   submit([&](Commands& commands) { p.shadeRecords(commands); });
-  for (const ImageTile& tile : p.tiles) {
+  for (size_t tile = 0; tile < p.tiles.size(); ++tile) {
     submit([&](Commands& commands) { p.resolveTile(commands, tile); });
-    p.keepTile(tile);
+    p.keepTile(p.tiles[tile]);
   }
   return times;
 }
@@ -199,7 +239,7 @@ std::vector<PassTime> FrameRenderer::run() {
 const Image& FrameRenderer::picture() const { return parts_->picture; }
 const FrameCounts& FrameRenderer::counts() const { return parts_->counts; }
 std::vector<vec4> FrameRenderer::readShaded() const { return parts_->shaded.read(parts_->device); }
-std::vector<uint32_t> FrameRenderer::readVisible() const {
+std::vector<VisibleRecord> FrameRenderer::readVisible() const {
   return parts_->visibility.readList(parts_->device);
 }
 

@@ -3,10 +3,10 @@
 
 #include <memory>
 
-#include "common/asset/asset_reader.h"
 #include "common/image/camera.h"
 #include "common/image/image.h"
 #include "common/light/relight.h"
+#include "runtime/kernels/pages.h"
 #include "runtime/vulkan/device.h"
 
 namespace boxlight::gpu {
@@ -17,6 +17,7 @@ struct FrameSettings {
   float environmentDegrees = 0;  ///< --env-rotation
   uint32_t samples = 2;          ///< visibility samples of a pixel, each way
   uint32_t boxLimit = ~0u;       ///< boxes evaluated of each kernel at most
+  uint32_t layerLimit = 8;       ///< blended layers of a sample at most; the farther ones are left out
   Interpolation interpolation = Interpolation::energy;
   uvec2 lightSize{512, 256};          ///< of the light map
   bool background = true;             ///< draw the environment behind the object
@@ -29,26 +30,28 @@ struct FrameCounts {
   uint64_t visibleRecords = 0;
   uint64_t boxes = 0;  ///< integrals of Equation 3 in a frame
   uint64_t pages = 0, pageBytes = 0, sceneBytes = 0;
+  uint32_t layers = 0;           ///< blended layers drawn, of the image tile with the most
+  uint64_t cutLayerSamples = 0;  ///< visibility samples with more layers than the limit
 };
 
 /// One asset under one environment from one camera. Construction uploads everything, finds what is visible
 /// and runs every pass once, so that no later frame waits for a compiler.
 class FrameRenderer {
  public:
-  FrameRenderer(Device& device, const asset::AssetReader& reader, const Image& environment,
+  FrameRenderer(Device& device, const AssetSource& source, const Image& environment,
                 const FrameSettings& settings);
   ~FrameRenderer();
 
   /// Runs every pass and returns the GPU time of each, in order; those of several image tiles are added up.
   std::vector<PassTime> run();
   /// The last frame: RGBA, linear, premultiplied, row 0 at the top. Alpha is the part of the pixel that the
-  /// object covers, or 1 with a background.
+  /// object covers, blended layers by their alpha, or 1 with a background.
   const Image& picture() const;
   const FrameCounts& counts() const;
-  /// The last frame's texel records, two vec4 each: diffuse and glossy radiance. Those of records out of
-  /// sight mean nothing.
+  /// The last frame's texel records, two vec4 each: diffuse and glossy radiance. What readVisible does not
+  /// name means nothing.
   std::vector<vec4> readShaded() const;
-  std::vector<uint32_t> readVisible() const;
+  std::vector<VisibleRecord> readVisible() const;
   /// The summed-area table as sat_columns.comp packs it.
   std::vector<uvec4> readLightTable() const;
 

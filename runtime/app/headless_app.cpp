@@ -22,6 +22,7 @@ FrameSettings frameSettings(const ViewOptions& options, const asset::Info& info)
   settings.environmentDegrees = options.environmentDegrees;
   settings.samples = options.samples;
   if (options.boxes > 0) settings.boxLimit = options.boxes;
+  settings.layerLimit = options.layers;
   settings.interpolation = options.interpolation;
   settings.lightSize = options.lightSize;
   settings.background = options.background;

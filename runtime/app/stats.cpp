@@ -44,6 +44,10 @@ nlohmann::ordered_json describeFrame(const DeviceInfo& device, const FrameSettin
   stats["pages"] = counts.pages;
   stats["page_bytes"] = counts.pageBytes;
   stats["scene_bytes"] = counts.sceneBytes;
+  if (counts.layers > 0) {
+    stats["layers"] = counts.layers;
+    stats["samples_with_cut_layers"] = counts.cutLayerSamples;
+  }
   stats["frames"] = frames;
   stats["gpu"] = times.toJson();
   return stats;

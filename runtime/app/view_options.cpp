@@ -47,6 +47,10 @@ void addQualityOptions(CLI::App& app, ViewOptions& options) {
   app.add_option("--samples", options.samples, "N x N visibility samples a pixel (default: 2)")
       ->check(CLI::Range(1, 8))
       ->option_text("N");
+  app.add_option("--layers", options.layers,
+                 "Show the nearest N layers of blended surfaces in each sample (default: 8)")
+      ->check(CLI::Range(1, 64))
+      ->option_text("N");
 }
 
 void addDeviceOptions(CLI::App& app, ViewOptions& options) {

@@ -17,7 +17,7 @@ struct ViewOptions {
   bool headless = false, listDevices = false, validation = false;
   float environmentDegrees = 0, exposure = 0;
   bool background = true;
-  uint32_t frames = 1, samples = 2, boxes = 0;  ///< boxes 0 = all
+  uint32_t frames = 1, samples = 2, boxes = 0, layers = 8;  ///< boxes 0 = all
   Interpolation interpolation = Interpolation::energy;
   uvec2 lightSize{512, 256};
   std::string device;

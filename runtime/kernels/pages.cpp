@@ -27,15 +27,15 @@ uint32_t tileOf(const asset::Asset& asset, uint32_t record) {
 }
 
 /// Ascending by stream, then tile.
-std::vector<Page> neededPages(const asset::Asset& asset, std::span<const uint32_t> visible, vec3 eye) {
+std::vector<Page> neededPages(const asset::Asset& asset, std::span<const VisibleRecord> visible, vec3 eye) {
   const size_t tileCount = asset.tiles.size();
   std::vector<bool> needed(asset.streamCount() * tileCount);
   const ViewSphere sphere(asset.info.viewFrequency);
   uint32_t near = 0;  // where the walk over the view triangles starts
-  for (const uint32_t r : visible) {
+  for (const auto& [r, glossy] : visible) {
     const uint32_t tile = tileOf(asset, r);
     needed[asset.diffuseStream() * tileCount + tile] = true;
-    if (asset.tiles[tile].glossyBoxes == 0) continue;
+    if (!glossy || asset.tiles[tile].glossyBoxes == 0) continue;
     const auto& p = asset.records[r].position;
     const auto& n = asset.records[r].normal;
     const vec3 normal(n[0], n[1], n[2]), towards = eye - vec3(p[0], p[1], p[2]);
@@ -94,17 +94,16 @@ void parallelFor(size_t count, int threads, const std::function<void(size_t)>& a
   if (failure) std::rethrow_exception(failure);
 }
 
-std::vector<std::vector<PackedBox>> readPages(const asset::AssetReader& reader,
-                                              const std::vector<Page>& pages,
+std::vector<std::vector<PackedBox>> readPages(const AssetSource& source, const std::vector<Page>& pages,
                                               const std::vector<PageSlot>& table,
                                               const std::vector<uint64_t>& used, int threads) {
   std::vector<std::vector<PackedBox>> pools;
   for (const uint64_t boxes : used) pools.emplace_back(boxes);
   parallelFor(pages.size(), threads, [&](size_t i) {
     const Page page = pages[i];
-    const PageSlot& slot = table[page.stream * reader.asset().tiles.size() + page.tile];
-    const std::vector<PackedBox> boxes = reader.page(page.stream, page.tile);
-    assert(boxes.size() == boxesOf(reader.asset(), page));
+    const PageSlot& slot = table[page.stream * source.asset.tiles.size() + page.tile];
+    const std::vector<PackedBox> boxes = source.page(page.stream, page.tile);
+    assert(boxes.size() == boxesOf(source.asset, page));
     std::copy(boxes.begin(), boxes.end(), pools[slot.pool].begin() + slot.firstBox);
   });
   return pools;
@@ -112,7 +111,7 @@ std::vector<std::vector<PackedBox>> readPages(const asset::AssetReader& reader,
 
 constexpr double mebibytes(uint64_t bytes) { return double(bytes) / double(1 << 20); }
 
-void requireFit(const Device& device, const asset::AssetReader& reader, const std::vector<uint64_t>& used,
+void requireFit(const Device& device, const AssetSource& source, const std::vector<uint64_t>& used,
                 uint64_t poolBytes) {
   if (used.size() <= kMaxBoxPools) return;
   uint64_t boxes = 0;
@@ -121,22 +120,39 @@ void requireFit(const Device& device, const asset::AssetReader& reader, const st
        "{}: this view needs {:.1f} MiB of boxes, but {} storage buffers of {:.1f} MiB are all that '{}' "
        "binds; bake with fewer "
        "boxes or a smaller atlas, or choose another device",
-       reader.path().string(), mebibytes(boxes * sizeof(PackedBox)), kMaxBoxPools, mebibytes(poolBytes),
+       source.name, mebibytes(boxes * sizeof(PackedBox)), kMaxBoxPools, mebibytes(poolBytes),
        device.info().name);
 }
 
 }  // namespace
 
-ResidentPages::ResidentPages(Device& device, Bindings& bindings, const asset::AssetReader& reader,
-                             std::span<const uint32_t> visible, vec3 eye, uint64_t poolBytes, int threads)
-    : table_(device, "page table", uint64_t(reader.asset().streamMasks.size()) * sizeof(PageSlot)) {
-  const auto& asset = reader.asset();
+AssetSource::AssetSource(const asset::AssetReader& reader)
+    : AssetSource(
+          reader.asset(), [&reader](uint32_t stream, uint32_t tile) { return reader.page(stream, tile); },
+          reader.path().string()) {}
+
+AssetSource::AssetSource(const asset::Asset& all, PageProvider provider, std::string path)
+    : asset(all), page(std::move(provider)), name(std::move(path)) {}
+
+ResidentPages::ResidentPages(Device& device, Bindings& bindings, const AssetSource& source,
+                             std::span<const VisibleRecord> visible, vec3 eye, uint64_t poolBytes,
+                             int threads)
+    : lambertEmits_(source.asset.tiles.size()),
+      glossyEmits_(source.asset.tiles.size()),
+      table_(device, "page table", uint64_t(source.asset.streamMasks.size()) * sizeof(PageSlot)) {
+  const auto& asset = source.asset;
   const std::vector<Page> pages = neededPages(asset, visible, eye);
   std::vector<PageSlot> table(asset.streamMasks.size(), PageSlot{});
   poolBytes = std::min(poolBytes, device.limits().maxStorageBufferRange);
   const auto used = placePages(asset, pages, poolBytes / sizeof(PackedBox), table);
-  requireFit(device, reader, used, poolBytes);
-  for (const auto& boxes : readPages(reader, pages, table, used, threads)) {
+  requireFit(device, source, used, poolBytes);
+  const auto pools = readPages(source, pages, table, used, threads);
+  for (const auto& [stream, tile] : pages) {
+    const PageSlot& slot = table[stream * asset.tiles.size() + tile];
+    if (!isEmission(pools[slot.pool][slot.firstBox])) continue;
+    (stream == asset.diffuseStream() ? lambertEmits_ : glossyEmits_)[tile] = 1;
+  }
+  for (const auto& boxes : pools) {
     pools_.push_back(makeBuffer(device, "box pages", boxes));
     bindings.set(kBindBoxPools + uint32_t(pools_.size()) - 1, pools_.back());
   }
@@ -151,11 +167,20 @@ uint64_t ResidentPages::bytes() const {
   return total;
 }
 
-uint64_t countBoxes(const asset::Asset& asset, std::span<const uint32_t> visible, uint32_t boxLimit) {
+bool ResidentPages::emitters() const {
+  const auto any = [](const std::vector<uint8_t>& tiles) {
+    return std::find(tiles.begin(), tiles.end(), 1) != tiles.end();
+  };
+  return any(lambertEmits_) || any(glossyEmits_);
+}
+
+uint64_t ResidentPages::countBoxes(const asset::Asset& asset, std::span<const VisibleRecord> visible,
+                                   uint32_t boxLimit) const {
   uint64_t boxes = 0;
-  for (const uint32_t r : visible) {
-    const asset::Tile& tile = asset.tiles[tileOf(asset, r)];
-    boxes += std::min(tile.diffuseBoxes, boxLimit) + std::min(tile.glossyBoxes, boxLimit);
+  for (const auto& [record, glossy] : visible) {
+    const uint32_t t = tileOf(asset, record);
+    boxes += std::min(asset.tiles[t].diffuseBoxes - lambertEmits_[t], boxLimit);
+    if (glossy) boxes += std::min(asset.tiles[t].glossyBoxes - glossyEmits_[t], boxLimit);
   }
   return boxes;
 }

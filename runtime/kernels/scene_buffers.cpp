@@ -3,7 +3,9 @@
 
 #include "common/image/image.h"
 #include "common/light/directional_albedo.h"
+#include "common/light/sheen.h"
 #include "common/light/view_sphere.h"
+#include "runtime/kernels/surface_constants.h"
 #include "runtime/kernels/texture_mips.h"
 #include "shaders/shared.h"
 
@@ -37,14 +39,15 @@ std::vector<ViewTriangle> makeViewTriangles(const ViewSphere& sphere) {
   return triangles;
 }
 
-std::vector<float> makeTables() {
+std::vector<float> makeTables(bool sheen) {
   static_assert(AlbedoTable::kSize == kAlbedoNodes);
   std::vector<float> tables;
   for (const vec2 node : albedoTable().specularNodes) tables.insert(tables.end(), {node.x, node.y});
   const auto& fresnel = albedoTable().fresnelNodes;
   tables.insert(tables.end(), fresnel.begin(), fresnel.end());
   for (int code = 0; code < 256; ++code) tables.push_back(decodeSrgb(float(code) / 255.0f));
-  assert(tables.size() == kTableSize);
+  assert(tables.size() == kTableSheen);
+  if (sheen) tables.insert(tables.end(), sheen::albedoNodes().begin(), sheen::albedoNodes().end());
   return tables;
 }
 
@@ -58,6 +61,10 @@ SceneBuffers::SceneBuffers(Device& device, Bindings& bindings, const asset::Asse
   add(kBindVertices, "vertices", asset.vertices);
   add(kBindTriangles, "triangles", asset.triangles);
   add(kBindMaterials, "materials", asset.materials);
+  if (!asset.materialExtensions.empty())
+    add(kBindMaterialExtensions, "material extensions", asset.materialExtensions);
+  if (!asset.textureTransforms.empty())
+    add(kBindTextureTransforms, "texture transforms", asset.textureTransforms);
   if (!asset.textures.empty()) {
     const TextureSet textures = makeTextureSet(asset);
     add(kBindTextures, "texture headers", textures.headers);
@@ -68,7 +75,7 @@ SceneBuffers::SceneBuffers(Device& device, Bindings& bindings, const asset::Asse
   add(kBindRecords, "texel records", makeRecords(asset));
   add(kBindTiles, "tiles", asset.tiles);
   add(kBindViews, "view triangles", makeViewTriangles(ViewSphere(asset.info.viewFrequency)));
-  add(kBindTables, "tables", makeTables());
+  add(kBindTables, "tables", makeTables(hasSheen(asset)));
 }
 
 uint64_t SceneBuffers::bytes() const {

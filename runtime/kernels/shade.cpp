@@ -9,21 +9,6 @@
 
 namespace boxlight::gpu {
 
-namespace {
-
-bool isColored(const asset::Asset& asset) {
-  return std::any_of(asset.vertices.begin(), asset.vertices.end(), [](const asset::Vertex& vertex) {
-    return vertex.color[0] != 1.0f || vertex.color[1] != 1.0f || vertex.color[2] != 1.0f;
-  });
-}
-
-}  // namespace
-
-bool isGlossy(const asset::Asset& asset) {
-  return std::any_of(asset.tiles.begin(), asset.tiles.end(),
-                     [](const asset::Tile& tile) { return tile.glossyBoxes > 0; });
-}
-
 ShadedRecords::ShadedRecords(Device& device, Bindings& bindings, const asset::Asset& asset)
     : buffer_(device, "shaded texel records", uint64_t(2 * asset.records.size()) * sizeof(vec4)) {
   bindings.set(kBindShaded, buffer_);
@@ -34,26 +19,25 @@ std::vector<vec4> ShadedRecords::read(Device& device) const {
 }
 
 ShadePass::ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
-                     Interpolation interpolation)
+                     bool emitters, Interpolation interpolation)
     : pipeline_(device, bindings, shade_comp,
-                std::array<uint32_t, 3>{interpolation == Interpolation::weight, poolCount, isGlossy(asset)}) {
-}
+                std::array<uint32_t, 4>{interpolation == Interpolation::weight, poolCount, isGlossy(asset),
+                                        emitters}) {}
 
 void ShadePass::shade(Commands& commands, const Buffer& list) const {
   commands.dispatchIndirect(pipeline_, list, offsetof(VisibleHeader, groups));
 }
 
-ResolvePass::ResolvePass(Device& device, Bindings& bindings, const asset::Asset& asset, uint64_t tilePixels,
-                         bool background)
+ResolvePass::ResolvePass(Device& device, Bindings& bindings, const SurfaceConstants& constants,
+                         uint64_t tilePixels)
     : picture_(device, "picture", tilePixels * sizeof(vec4)),
-      pipeline_(
-          device, bindings, resolve_comp,
-          std::array<uint32_t, 4>{isGlossy(asset), background, !asset.textures.empty(), isColored(asset)}) {
+      pipeline_(device, bindings, resolve_comp, constants) {
   bindings.set(kBindPicture, picture_);
 }
 
-void ResolvePass::resolve(Commands& commands, const ImageTile& tile) const {
-  commands.dispatch(pipeline_, imageGroups(tile.size), std::as_bytes(std::span(&tile, 1)));
+void ResolvePass::resolve(Commands& commands, const ImageTile& tile, uint32_t layers) const {
+  const TilePush push{tile, layers};
+  commands.dispatch(pipeline_, imageGroups(tile.size), std::as_bytes(std::span(&push, 1)));
 }
 
 std::vector<vec4> ResolvePass::read(Device& device, const ImageTile& tile) const {

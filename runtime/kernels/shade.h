@@ -3,13 +3,11 @@
 
 #include "common/asset/asset.h"
 #include "common/light/relight.h"
+#include "runtime/kernels/surface_constants.h"
 #include "runtime/vulkan/commands.h"
 #include "shaders/shared.h"
 
 namespace boxlight::gpu {
-
-/// Has any kernel of the asset glossy boxes? If not, nothing glossy is compiled into the shaders.
-bool isGlossy(const asset::Asset& asset);
 
 /// Demodulated radiance of texel records: two vec4 a record, diffuse and glossy.
 class ShadedRecords {
@@ -21,12 +19,12 @@ class ShadedRecords {
   Buffer buffer_;
 };
 
-/// Equation 3 for every record on the list. Made when the resident pages are known: their pools are compiled
-/// in.
+/// Equation 3 for every record on the list. Made when the resident pages are known: how many pools they fill
+/// and whether anything in them emits is compiled in.
 class ShadePass {
  public:
   ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
-            Interpolation interpolation);
+            bool emitters, Interpolation interpolation);
   /// `list`: VisibleHeader and records.
   void shade(Commands& commands, const Buffer& list) const;
 
@@ -34,13 +32,14 @@ class ShadePass {
   ComputePipeline pipeline_;
 };
 
-/// Filters shaded records and multiplies the material in: RGBA of one image tile.
+/// Filters shaded records, multiplies the material in and lays blended layers over each other: RGBA of one
+/// image tile.
 class ResolvePass {
  public:
   /// `tilePixels`: pixels of the largest image tile.
-  ResolvePass(Device& device, Bindings& bindings, const asset::Asset& asset, uint64_t tilePixels,
-              bool background);
-  void resolve(Commands& commands, const ImageTile& tile) const;
+  ResolvePass(Device& device, Bindings& bindings, const SurfaceConstants& constants, uint64_t tilePixels);
+  /// `layers`: blended ones that were drawn of the tile.
+  void resolve(Commands& commands, const ImageTile& tile, uint32_t layers) const;
   std::vector<vec4> read(Device& device, const ImageTile& tile) const;  ///< rows of the tile
 
  private:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/kernels/visibility.h"
 
-#include <array>
-
 #include "common/base/error.h"
 #include "spirv/compact_comp.h"
 #include "spirv/mark_comp.h"
@@ -12,13 +10,7 @@
 namespace boxlight::gpu {
 namespace {
 
-std::array<uint32_t, 1> rasterConstants(const asset::Asset& asset) {
-  bool masked = false;
-  for (const asset::Material& material : asset.materials) masked |= (material.flags & asset::kAlphaMask) != 0;
-  return {masked};
-}
-
-std::span<const std::byte> bytesOf(const ImageTile& tile) { return std::as_bytes(std::span(&tile, 1)); }
+std::span<const std::byte> bytesOf(const TilePush& push) { return std::as_bytes(std::span(&push, 1)); }
 
 uint32_t recordGroups(uint32_t records) { return (records + kGroupSize - 1) / kGroupSize; }
 
@@ -33,15 +25,15 @@ void requireGroups(const Device& device, uint32_t records) {
 uvec3 imageGroups(uvec2 size) { return {(size + kPixelGroup - 1u) / kPixelGroup, 1u}; }
 
 VisibilityPass::VisibilityPass(Device& device, Bindings& bindings, const asset::Asset& asset,
-                               uvec2 tileSamples)
+                               const SurfaceConstants& constants, uvec2 tileSamples)
     : recordCount_(uint32_t(asset.records.size())),
       vertexCount_(uint32_t(3 * asset.triangles.size())),
       marks_(device, "marks of texel records", uint64_t(recordCount_) * sizeof(uint32_t)),
       list_(device, "visible texel records",
             sizeof(VisibleHeader) + uint64_t(recordCount_) * sizeof(uint32_t)),
-      target_(device, tileSamples),
-      raster_(device, bindings, target_, visibility_vert, visibility_frag, rasterConstants(asset)),
-      mark_(device, bindings, mark_comp),
+      target_(device, tileSamples, {.copied = isBlended(asset)}),
+      raster_(device, bindings, target_, visibility_vert, visibility_frag, constants),
+      mark_(device, bindings, mark_comp, constants),
       compact_(device, bindings, compact_comp) {
   requireGroups(device, recordCount_);
   bindings.set(kBindMarks, marks_);
@@ -55,21 +47,24 @@ void VisibilityPass::clear(Commands& commands) const {
 }
 
 void VisibilityPass::draw(Commands& commands, const ImageTile& tile, uint32_t samples) const {
-  commands.draw(raster_, target_, tile.size * samples, vertexCount_, bytesOf(tile));
+  commands.draw(raster_, target_, tile.size * samples, vertexCount_, bytesOf({tile, 0}));
 }
 
-void VisibilityPass::mark(Commands& commands, const ImageTile& tile) const {
-  commands.dispatch(mark_, imageGroups(tile.size), bytesOf(tile));
+void VisibilityPass::mark(Commands& commands, const ImageTile& tile, uint32_t layers) const {
+  commands.dispatch(mark_, imageGroups(tile.size), bytesOf({tile, layers}));
 }
 
 void VisibilityPass::compact(Commands& commands) const {
   commands.dispatch(compact_, {std::max(recordGroups(recordCount_), 1u), 1, 1});
 }
 
-std::vector<uint32_t> VisibilityPass::readList(Device& device) const {
+std::vector<VisibleRecord> VisibilityPass::readList(Device& device) const {
   const auto header = readBuffer<VisibleHeader>(device, list_, 1).front();
-  auto records = readBuffer<uint32_t>(device, list_, header.count, sizeof(VisibleHeader));
-  std::sort(records.begin(), records.end());
+  std::vector<VisibleRecord> records;
+  for (const uint32_t entry : readBuffer<uint32_t>(device, list_, header.count, sizeof(VisibleHeader)))
+    records.push_back({entry & ~kLambertOnly, (entry & kLambertOnly) == 0});
+  std::sort(records.begin(), records.end(),
+            [](const VisibleRecord& a, const VisibleRecord& b) { return a.record < b.record; });
   return records;
 }
 

@@ -2,26 +2,35 @@
 #pragma once
 
 #include "common/asset/asset.h"
+#include "runtime/kernels/surface_constants.h"
 #include "runtime/vulkan/commands.h"
 #include "shaders/shared.h"
 
 namespace boxlight::gpu {
 
-/// What the camera sees: the triangle at each visibility sample of an image tile, and the texel records
-/// behind all of them.
+struct VisibleRecord {
+  uint32_t record;
+  bool glossy;  ///< false: only its Lambert radiance is asked for, by the other side of its texel
+};
+
+/// What the camera sees: the opaque triangle at each visibility sample of an image tile, and the texel
+/// records behind all of them.
 class VisibilityPass {
  public:
   /// `tileSamples`: samples of the largest image tile, each way.
-  VisibilityPass(Device& device, Bindings& bindings, const asset::Asset& asset, uvec2 tileSamples);
+  VisibilityPass(Device& device, Bindings& bindings, const asset::Asset& asset,
+                 const SurfaceConstants& constants, uvec2 tileSamples);
 
   void clear(Commands& commands) const;  ///< forgets all records
   void draw(Commands& commands, const ImageTile& tile, uint32_t samples) const;
-  void mark(Commands& commands, const ImageTile& tile) const;  ///< the records of the tile just drawn
-  void compact(Commands& commands) const;                      ///< marks of all tiles to the list
+  /// The records of the tile just drawn and of its `layers` blended layers.
+  void mark(Commands& commands, const ImageTile& tile, uint32_t layers) const;
+  void compact(Commands& commands) const;  ///< marks of all tiles to the list
 
-  /// VisibleHeader, then the indices of the records.
+  const RasterTarget& target() const { return target_; }
+  /// VisibleHeader, then the indices of the records, those without gloss with kLambertOnly.
   const Buffer& list() const { return list_; }
-  std::vector<uint32_t> readList(Device& device) const;  ///< ascending
+  std::vector<VisibleRecord> readList(Device& device) const;  ///< ascending
 
  private:
   uint32_t recordCount_, vertexCount_;

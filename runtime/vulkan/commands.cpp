@@ -91,6 +91,27 @@ void Commands::dispatchIndirect(const ComputePipeline& pipeline, const Buffer& c
   barrier();
 }
 
+namespace {
+
+vk::BufferImageCopy upperLeft(vk::ImageAspectFlagBits aspect, uvec2 extent, uint64_t offset) {
+  return {offset, 0, 0, {aspect, 0, 0, 1}, {0, 0, 0}, {extent.x, extent.y, 1}};
+}
+
+}  // namespace
+
+void Commands::copySamples(const RasterTarget& target, uvec2 extent, const Buffer& to, uint64_t offset) {
+  native_.buffer.copyImageToBuffer(*target.native().color, vk::ImageLayout::eGeneral, *to.native().buffer,
+                                   upperLeft(vk::ImageAspectFlagBits::eColor, extent, offset));
+  barrier();
+}
+
+void Commands::copyDepth(const RasterTarget& target, uvec2 extent, const Buffer& to, uint64_t offset) {
+  native_.buffer.copyImageToBuffer(*target.native().depth, vk::ImageLayout::eTransferSrcOptimal,
+                                   *to.native().buffer,
+                                   upperLeft(vk::ImageAspectFlagBits::eDepth, extent, offset));
+  barrier();
+}
+
 void Commands::draw(const RasterPipeline& pipeline, const RasterTarget& target, uvec2 extent,
                     uint32_t vertexCount, std::span<const std::byte> push) {
   const vk::Rect2D area({0, 0}, {extent.x, extent.y});

@@ -9,20 +9,25 @@
 namespace boxlight::gpu {
 namespace {
 
-constexpr auto kColorFormat =
-    vk::Format::eR32Uint;  // a storage image and a colour attachment on every device
+/// Colour attachments on every device; the first is also a storage image on every device.
+constexpr vk::Format colorFormat(RasterFormat format) {
+  return format.pairs ? vk::Format::eR32G32Uint : vk::Format::eR32Uint;
+}
 constexpr auto kDepthFormat = vk::Format::eD32Sfloat;
 
-vk::raii::RenderPass makePass(const vk::raii::Device& device) {
+vk::raii::RenderPass makePass(const vk::raii::Device& device, RasterFormat format) {
   using Layout = vk::ImageLayout;
+  const auto keepDepth = format.copied ? vk::AttachmentStoreOp::eStore : vk::AttachmentStoreOp::eDontCare;
+  const auto depthLayout =
+      format.copied ? Layout::eTransferSrcOptimal : Layout::eDepthStencilAttachmentOptimal;
   const std::array<vk::AttachmentDescription, 2> attachments = {
-      vk::AttachmentDescription({}, kColorFormat, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eClear,
-                                vk::AttachmentStoreOp::eStore, vk::AttachmentLoadOp::eDontCare,
-                                vk::AttachmentStoreOp::eDontCare, Layout::eUndefined, Layout::eGeneral),
+      vk::AttachmentDescription({}, colorFormat(format), vk::SampleCountFlagBits::e1,
+                                vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
+                                vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
+                                Layout::eUndefined, Layout::eGeneral),
       vk::AttachmentDescription({}, kDepthFormat, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eClear,
-                                vk::AttachmentStoreOp::eDontCare, vk::AttachmentLoadOp::eDontCare,
-                                vk::AttachmentStoreOp::eDontCare, Layout::eUndefined,
-                                Layout::eDepthStencilAttachmentOptimal)};
+                                keepDepth, vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
+                                Layout::eUndefined, depthLayout)};
   const vk::AttachmentReference color(0, Layout::eGeneral), depth(1, Layout::eDepthStencilAttachmentOptimal);
   const vk::SubpassDescription subpass({}, vk::PipelineBindPoint::eGraphics, {}, color, {}, &depth);
   // The layout changes wait for whatever used the images before, and what comes after waits for the pass.
@@ -50,18 +55,21 @@ void makeImage(const Device::Native& native, uvec2 size, vk::Format format, vk::
 
 }  // namespace
 
-RasterTarget::RasterTarget(Device& device, uvec2 size) : size_(size), native_(std::make_unique<Native>()) {
+RasterTarget::RasterTarget(Device& device, uvec2 size, RasterFormat format)
+    : size_(size), native_(std::make_unique<Native>()) {
   translated("visibility image", [&] {
     const auto& native = device.native();
     using Use = vk::ImageUsageFlagBits;
     const auto features = native.physical.getFormatProperties(kDepthFormat).optimalTilingFeatures;
     if (!(features & vk::FormatFeatureFlagBits::eDepthStencilAttachment))
       fail(ExitCode::runtime, "'{}' has no 32-bit floating-point depth buffer", native.info.name);
-    native_->pass = makePass(native.device);
-    makeImage(native, size, kColorFormat, Use::eColorAttachment | Use::eStorage,
+    const vk::ImageUsageFlags copied = format.copied ? Use::eTransferSrc : vk::ImageUsageFlags{};
+    const vk::ImageUsageFlags read = format.pairs ? vk::ImageUsageFlags{} : Use::eStorage;
+    native_->pass = makePass(native.device, format);
+    makeImage(native, size, colorFormat(format), Use::eColorAttachment | read | copied,
               vk::ImageAspectFlagBits::eColor, native_->color, native_->colorMemory, native_->colorView);
-    makeImage(native, size, kDepthFormat, Use::eDepthStencilAttachment, vk::ImageAspectFlagBits::eDepth,
-              native_->depth, native_->depthMemory, native_->depthView);
+    makeImage(native, size, kDepthFormat, Use::eDepthStencilAttachment | copied,
+              vk::ImageAspectFlagBits::eDepth, native_->depth, native_->depthMemory, native_->depthView);
     const std::array views = {*native_->colorView, *native_->depthView};
     native_->framebuffer = vk::raii::Framebuffer(
         native.device, vk::FramebufferCreateInfo({}, *native_->pass, views, size.x, size.y, 1));
@@ -72,7 +80,7 @@ RasterTarget::~RasterTarget() = default;
 
 RasterPipeline::RasterPipeline(const Device& device, const Bindings& bindings, const RasterTarget& target,
                                std::span<const uint32_t> vertexCode, std::span<const uint32_t> fragmentCode,
-                               std::span<const uint32_t> constants)
+                               std::span<const uint32_t> constants, DepthTest depthTest)
     : bindings_(&bindings), native_(std::make_unique<Native>()) {
   translated("visibility pipeline", [&] {
     const auto vertex = loadShader(device.native(), vertexCode),
@@ -88,9 +96,11 @@ RasterPipeline::RasterPipeline(const Device& device, const Bindings& bindings, c
     vk::PipelineRasterizationStateCreateInfo raster;
     raster.setLineWidth(1.0f);
     const vk::PipelineMultisampleStateCreateInfo multisample({}, vk::SampleCountFlagBits::e1);
-    const vk::PipelineDepthStencilStateCreateInfo depth({}, true, true, vk::CompareOp::eGreater);
+    const vk::PipelineDepthStencilStateCreateInfo depth(
+        {}, true, true,
+        depthTest == DepthTest::keepsLast ? vk::CompareOp::eGreaterOrEqual : vk::CompareOp::eGreater);
     vk::PipelineColorBlendAttachmentState noBlend;
-    noBlend.setColorWriteMask(vk::ColorComponentFlagBits::eR);
+    noBlend.setColorWriteMask(vk::ColorComponentFlagBits::eR | vk::ColorComponentFlagBits::eG);
     const vk::PipelineColorBlendStateCreateInfo blend({}, false, {}, noBlend);
     const std::array dynamicStates = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamicStates);

@@ -6,11 +6,17 @@
 
 namespace boxlight::gpu {
 
-/// One 32-bit word per sample, with a depth buffer behind it. Kept in the general layout, so that compute
-/// reads it in place.
+/// What a target holds for each sample.
+struct RasterFormat {
+  bool pairs = false;   ///< two 32-bit words, not one
+  bool copied = false;  ///< samples and depth can be copied to buffers
+};
+
+/// One or two 32-bit words per sample, with a depth buffer behind them. Kept in the general layout, so that
+/// compute reads words in place.
 class RasterTarget {
  public:
-  RasterTarget(Device& device, uvec2 size);
+  RasterTarget(Device& device, uvec2 size, RasterFormat format = {});
   ~RasterTarget();
 
   uvec2 size() const { return size_; }
@@ -22,13 +28,16 @@ class RasterTarget {
   std::unique_ptr<Native> native_;
 };
 
+/// Which of several triangles at the same depth a sample keeps.
+enum class DepthTest { keepsFirst, keepsLast };
+
 /// Triangles pulled from storage buffers by the vertex shader. Nothing is culled by winding; the depth test
 /// is reversed (greater is nearer) and cleared to 0 with the colour.
 class RasterPipeline {
  public:
   RasterPipeline(const Device& device, const Bindings& bindings, const RasterTarget& target,
                  std::span<const uint32_t> vertexCode, std::span<const uint32_t> fragmentCode,
-                 std::span<const uint32_t> constants = {});
+                 std::span<const uint32_t> constants, DepthTest depthTest = DepthTest::keepsFirst);
   ~RasterPipeline();
 
   const Bindings& bindings() const { return *bindings_; }

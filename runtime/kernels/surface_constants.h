@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+
+#include "common/asset/asset.h"
+#include "shaders/shared.h"
+
+namespace boxlight::gpu {
+
+/// Has any kernel of the asset glossy boxes?
+bool isGlossy(const asset::Asset& asset);
+/// Has any material alpha that is coverage?
+bool isBlended(const asset::Asset& asset);
+bool hasSheen(const asset::Asset& asset);
+
+/// What the shaders that look at surfaces are specialised to, by kConstant... of shaders/shared.h: whatever
+/// an asset does not have is not compiled in.
+using SurfaceConstants = std::array<uint32_t, kSurfaceConstants>;
+
+/// `layers`: blended layers of a sample at most; 0 if nothing is blended.
+SurfaceConstants surfaceConstants(const asset::Asset& asset, bool background, uint32_t layers);
+
+}  // namespace boxlight::gpu

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_EXTENSION_REFLECTANCE_GLSL
+#define BOXLIGHT_EXTENSION_REFLECTANCE_GLSL
+
+#include "material_extension.glsl"
+#include "surface.glsl"
+
+/// What a pixel multiplies the demodulated radiance with, of the seen side and of the other one, and what it adds.
+struct Reflectance {
+  vec3 diffuse, transmitted, glossy, emission;
+};
+
+/// KHR_materials_ior; 0 stands for an infinite index.
+float dielectricReflectance(float ior) {
+  float root = ior == 0.0 ? 1.0 : (ior - 1.0) / (ior + 1.0);
+  return root * root;
+}
+
+/// KHR_materials_anisotropy's strength.
+float sampleAnisotropy(MaterialExtension extension, SurfacePoint point) {
+  return extension.anisotropy * sampleIfTextured(extension.anisotropyTexture, point, vec4(1.0)).b;
+}
+
+/// The roughness whose alpha is the geometric mean of those along the tangent and the bitangent.
+float isotropicRoughness(float roughness, float anisotropy) {
+  float alpha = roughness * roughness;
+  return anisotropy > 0.0 ? sqrt(sqrt(mix(alpha, 1.0, anisotropy * anisotropy) * alpha)) : roughness;
+}
+
+/// Energy that single scattering between microfacets loses: Turquin, "Practical Multiple Scattering Compensation for Microfacet
+/// Models", 2019.
+vec3 multipleScattering(BaseLayer base) {
+  float total = max(base.albedo.x + base.albedo.y, 1e-4);
+  return 1.0 + base.f0 * (1.0 / total - 1.0);
+}
+
+/// KHR_materials_transmission: what the GGX lobe sends through.
+vec3 transmittedLobe(Surface surface, BaseLayer base, float transmission) {
+  float through = base.albedo.x * (1.0 - surface.specular * strongest(surface.dielectricF0)) +
+                  base.albedo.y * (1.0 - surface.specular);
+  return transmission * (1.0 - surface.metallic) * surface.baseColor * through;
+}
+
+/// KHR_materials_sheen: its albedo, and how much it lets through to the base.
+struct SheenLayer {
+  vec3 reflected;
+  float passed;
+};
+
+SheenLayer sheenLayer(MaterialExtension extension, SurfacePoint point, float nDotV) {
+  if (!kSheen) return SheenLayer(vec3(0.0), 1.0);
+  vec3 color = toVec3(extension.sheenColor) * sampleIfTextured(extension.sheenColorTexture, point, vec4(1.0)).rgb;
+  float roughness = extension.sheenRoughness * sampleIfTextured(extension.sheenRoughnessTexture, point, vec4(1.0)).a;
+  float albedo = strongest(color) > 0.0 ? sheenAlbedo(roughness, nDotV) : 0.0;
+  return SheenLayer(color * albedo, 1.0 - strongest(color) * albedo);
+}
+
+/// KHR_materials_clearcoat: its weight w_c, which is taken from all below it, and its albedo.
+struct CoatLayer {
+  float weight, albedo;
+};
+
+CoatLayer coatLayer(MaterialExtension extension, SurfacePoint point, bool front, vec3 toEye) {
+  if (!kClearcoat) return CoatLayer(0.0, 0.0);
+  float clearcoat = extension.clearcoat * sampleIfTextured(extension.clearcoatTexture, point, vec4(1.0)).r;
+  float roughness = extension.clearcoatRoughness * sampleIfTextured(extension.clearcoatRoughnessTexture, point, vec4(1.0)).g;
+  vec3 normal = mappedNormal(extension.clearcoatNormalTexture, extension.clearcoatNormalScale, point);
+  float nDotV = max(dot(normal, toEye) * (front ? 1.0 : -1.0), kMinimumCosine);
+  float grazing = 1.0 - nDotV, squared = grazing * grazing;
+  vec2 albedo = specularAlbedo(roughness, nDotV);
+  return CoatLayer(clearcoat * (0.04 + 0.96 * squared * squared * grazing), albedo.x + albedo.y);
+}
+
+vec3 emittedRadiance(MaterialExtension extension, SurfacePoint point) {
+  return toVec3(extension.emissive) * sampleIfTextured(extension.emissiveTexture, point, vec4(1.0)).rgb;
+}
+
+/// Of the light that is scattered diffusely, what leaves where it came from and what leaves on the other side.
+void splitDiffuse(MaterialExtension extension, SurfacePoint point, vec3 baseColor, float scattered, inout Reflectance result) {
+  result.diffuse = scattered * baseColor;
+  result.transmitted = vec3(0.0);
+  if (!kOtherSide) return;
+  float through = extension.diffuseTransmission * sampleIfTextured(extension.diffuseTransmissionTexture, point, vec4(1.0)).a;
+  vec3 color = toVec3(extension.diffuseTransmissionColor) *
+               sampleIfTextured(extension.diffuseTransmissionColorTexture, point, vec4(1.0)).rgb;
+  result.diffuse *= 1.0 - through;
+  result.transmitted = scattered * through * color;
+}
+
+Reflectance extendBase(Surface surface, BaseLayer base, uint index, SurfacePoint point, bool front, vec3 toEye, float nDotV) {
+  MaterialExtension extension = materialExtensions[index];
+  float transmission = extension.transmission * sampleIfTextured(extension.transmissionTexture, point, vec4(1.0)).r;
+  SheenLayer sheen = sheenLayer(extension, point, nDotV);
+  CoatLayer coat = coatLayer(extension, point, front, toEye);
+  float below = 1.0 - coat.weight;
+  if ((materials[index].flags & kMultipleScattering) != 0) base.reflected *= multipleScattering(base);
+  Reflectance result;
+  splitDiffuse(extension, point, surface.baseColor, below * sheen.passed * base.scattered * (1.0 - transmission), result);
+  result.glossy = below * (sheen.passed * (base.reflected + transmittedLobe(surface, base, transmission)) + sheen.reflected) +
+                  coat.weight * coat.albedo;
+  result.emission = below * emittedRadiance(extension, point);
+  return result;
+}
+
+#endif

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_SURFACE_GLSL
+#define BOXLIGHT_SURFACE_GLSL
+
+#include "albedo.glsl"
+#include "material.glsl"
+
+layout(constant_id = kConstantTextured) const bool kTextured = true;
+layout(constant_id = kConstantColored) const bool kColored = true;
+
+const float kMinimumCosine = 1e-3;  // of the shading normal to the view, as the bake bends it
+
+vec4 sampleIfTextured(TextureRef ref, SurfacePoint point, vec4 absent) {
+  return kTextured ? sampleRef(ref, point, absent) : absent;
+}
+
+/// The interpolated normal of the front side, bent by a normal map if there is one.
+vec3 mappedNormal(TextureRef ref, float scale, SurfacePoint point) {
+  vec3 normal = normalize(interpolate3(point.vertices, point.weight, kNormalAt));
+  if (!kTextured || ref.texture == kAbsent) return normal;
+  vec4 stored = interpolate4(point.vertices, point.weight, kTangentAt);
+  vec3 tangent = stored.xyz - dot(stored.xyz, normal) * normal;
+  float size = length(tangent);
+  if (size < 1e-6) return normal;
+  tangent /= size;
+  vec3 bitangent = (stored.w < 0.0 ? -1.0 : 1.0) * cross(normal, tangent);
+  vec3 mapped = 2.0 * sampleRef(ref, point, vec4(0.5, 0.5, 1.0, 1.0)).xyz - 1.0;
+  mapped.xy *= scale;
+  return normalize(mapped.x * tangent + mapped.y * bitangent + mapped.z * normal);
+}
+
+/// The metallic-roughness core at a point, textures and vertex colours applied.
+struct Surface {
+  vec3 baseColor;
+  float metallic, roughness, specular;
+  vec3 specularColor;
+  vec3 dielectricF0;  // D0: not yet times specular
+};
+
+Surface sampleSurface(Material material, SurfacePoint point) {
+  vec3 color = kColored ? interpolate3(point.vertices, point.weight, kColorAt) : vec3(1.0);
+  vec4 roughMetal = sampleIfTextured(material.metallicRoughnessTexture, point, vec4(1.0));
+  Surface surface;
+  surface.baseColor = material.baseColor.rgb * color * sampleIfTextured(material.baseColorTexture, point, vec4(1.0)).rgb;
+  surface.metallic = material.metallic * roughMetal.b;
+  surface.roughness = material.roughness * roughMetal.g;
+  surface.specular = material.specular * sampleIfTextured(material.specularTexture, point, vec4(1.0)).a;
+  surface.specularColor = vec3(material.specularColor[0], material.specularColor[1], material.specularColor[2]) *
+                          sampleIfTextured(material.specularColorTexture, point, vec4(1.0)).rgb;
+  surface.dielectricF0 = min(0.04 * surface.specularColor, vec3(1.0));
+  return surface;
+}
+
+float strongest(vec3 v) { return max(v.r, max(v.g, v.b)); }
+
+/// Reflectance at normal incidence, F0. Thin-film interference belongs here: it changes nothing else.
+vec3 normalReflectance(Surface surface) {
+  return mix(surface.dielectricF0 * surface.specular, surface.baseColor, surface.metallic);
+}
+
+/// The core's part of the pixel.
+struct BaseLayer {
+  vec3 f0;
+  vec2 albedo;      // (A, B)
+  float scattered;  // k_d (1 - metallic)
+  vec3 reflected;   // F0 A + F90 B
+};
+
+BaseLayer baseLayer(Surface surface, float nDotV) {
+  float dielectric = strongest(surface.dielectricF0);
+  BaseLayer base;
+  base.scattered = (1.0 - surface.metallic) *
+                   (1.0 - surface.specular * (dielectric + (1.0 - dielectric) * diffuseFresnel(nDotV)));
+  base.f0 = normalReflectance(surface);
+  base.albedo = specularAlbedo(surface.roughness, nDotV);
+  base.reflected = base.f0 * base.albedo.x + mix(surface.specular, 1.0, surface.metallic) * base.albedo.y;
+  return base;
+}
+
+#endif
