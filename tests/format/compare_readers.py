@@ -17,7 +17,7 @@ def expected_tables(ptb, every):
     yield "PROV", ptb.provenance
     yield "header", [ptb.header]
     yield "chunks", ptb.chunk_rows
-    for name in ("INFO", "VERT", "TRIS", "MATL", "TEXI"):
+    for name in ("INFO", "VERT", "TRIS", "MATL", "MATX", "TXFM", "TEXI"):
         yield name, ptb.tables[name]
     yield "TEXD", [ptb.texels[i : i + 4] for i in range(0, len(ptb.texels), 4 * every)]
     for name in ("ATLS", "RECS", "TILE", "MASK"):

@@ -42,6 +42,7 @@ class Row {
   void add(const TextureRef& reference) {
     add(reference.texture);
     add(reference.texcoord);
+    add(reference.transform);
   }
   void add(vec3 v) {
     for (int axis = 0; axis < 3; ++axis) add(v[axis]);
@@ -74,6 +75,17 @@ Row toRow(const Material& m) {
              m.flags, m.baseColorTexture, m.metallicRoughnessTexture, m.normalTexture, m.specularTexture,
              m.specularColorTexture);
 }
+Row toRow(const MaterialExtension& x) {
+  return Row(x.ior, x.anisotropy, x.anisotropyRotation, x.clearcoat, x.clearcoatRoughness,
+             x.clearcoatNormalScale, x.sheenColor, x.sheenRoughness, x.transmission, x.diffuseTransmission,
+             x.diffuseTransmissionColor, x.iridescence, x.iridescenceIor, x.iridescenceThickness, x.emissive,
+             x.absorption, x.scattering, x.scatterAnisotropy, x.anisotropyTexture, x.clearcoatTexture,
+             x.clearcoatRoughnessTexture, x.clearcoatNormalTexture, x.sheenColorTexture,
+             x.sheenRoughnessTexture, x.transmissionTexture, x.diffuseTransmissionTexture,
+             x.diffuseTransmissionColorTexture, x.iridescenceTexture, x.iridescenceThicknessTexture,
+             x.emissiveTexture);
+}
+Row toRow(const TextureTransform& t) { return Row(t.rows[0], t.rows[1]); }
 Row toRow(const Texture& t) {
   return Row(t.width, t.height, t.firstTexel, t.wrapS, t.wrapT, t.srgb, t.magNearest, t.minFilter);
 }
@@ -84,8 +96,9 @@ Row toRow(const TexelRecord& r) {
 }
 Row toRow(const Tile& t) { return Row(t.firstRecord, t.recordCount, t.glossyBoxes, t.diffuseBoxes); }
 Row toRow(const PackedBox& packed) {
+  if (isEmission(packed)) return Row(packed.kind, unpackEmission(packed));
   const Box box = unpackBox(packed);
-  return Row(box.u0, box.v0, box.du, box.dv, box.energy);
+  return Row(packed.kind, box.u0, box.v0, box.du, box.dv, box.energy);
 }
 
 template <class T>
@@ -121,6 +134,8 @@ void dump(const char* path, uint64_t every) {
   printTable("VERT", asset.vertices);
   printTable("TRIS", asset.triangles);
   printTable("MATL", asset.materials);
+  printTable("MATX", asset.materialExtensions);
+  printTable("TXFM", asset.textureTransforms);
   printTable("TEXI", asset.textures);
   printTexels(asset.texels, every);
   printTable("ATLS", asset.atlas);

@@ -30,7 +30,9 @@ TABLES = {
     "INFO": struct.Struct("<10I6f"),
     "VERT": struct.Struct("<20f"),
     "TRIS": struct.Struct("<4I"),
-    "MATL": struct.Struct("<12fI10I4x"),
+    "MATL": struct.Struct("<12fI" + 5 * "IHH" + "4x"),
+    "MATX": struct.Struct("<29f" + 12 * "IHH"),
+    "TXFM": struct.Struct("<6f"),
     "TEXI": struct.Struct("<8I"),
     "ATLS": struct.Struct("<2I"),
     "RECS": struct.Struct("<3fI3fI3ff3ff3I4x"),
@@ -38,8 +40,10 @@ TABLES = {
     "MASK": struct.Struct("<Q"),
     "PGIX": struct.Struct("<QIIQ"),
 }
-REQUIRED = ["PROV", *TABLES, "TEXD", "PAGE"]
+OPTIONAL = ["MATX", "TXFM"]
+REQUIRED = [name for name in ["PROV", *TABLES, "TEXD", "PAGE"] if name not in OPTIONAL]
 BOX = struct.Struct("<4H3eH")
+FLOAT_MAX = (2 - 2**-23) * 2.0**127
 
 
 class Invalid(Exception):
@@ -75,10 +79,12 @@ class Ptb:
         with open(path, "rb") as file:
             self.data = file.read()
         self.read_head()
-        self.raw = {name: self.decode(name) for name in REQUIRED if name != "PAGE"}
+        self.raw = {name: self.decode(name) for name in self.chunks if name != "PAGE"}
+        self.raw.update((name, b"") for name in OPTIONAL if name not in self.chunks)
         self.provenance = json.loads(self.raw["PROV"])
         require(isinstance(self.provenance, dict), "PROV: not an object")
         self.tables = {}
+        self.emitted = {}  # (tile, is Lambert) -> kind of the first slot
         for name, layout in TABLES.items():
             require(len(self.raw[name]) % layout.size == 0, f"{name}: not a whole number of entries")
             self.tables[name] = list(layout.iter_unpack(self.raw[name]))
@@ -110,7 +116,7 @@ class Ptb:
             name = kind.to_bytes(4, "little").decode("latin-1")
             require(offset % 16 == 0 and offset >= end and offset + stored <= len(data), f"{name}: range")
             used.append((offset, offset + stored))
-            if name not in REQUIRED:
+            if name not in REQUIRED + OPTIONAL:
                 require("a" <= name[0] <= "z", f"{name}: unknown", Unsupported)
                 continue
             require(name not in self.chunks, f"{name}: twice")
@@ -137,20 +143,32 @@ class Ptb:
         require(all(1 <= side <= 16384 for side in self.atlas_size), "INFO: atlas")
         for name, count in zip(("VERT", "TRIS", "MATL", "TEXI", "RECS", "TILE"), info[4:10]):
             require(len(self.tables[name]) == count, f"{name}: count")
-        for name in ("INFO", "VERT", "MATL", "RECS"):
+        for name in ("INFO", "VERT", "MATL", "MATX", "TXFM", "RECS"):
             require(all(math.isfinite(n) for row in self.tables[name] for n in row), f"{name}: not finite")
 
     def check_mesh(self):
         t = self.tables
         for *corners, material in t["TRIS"]:
             require(max(corners) < len(t["VERT"]) and material < len(t["MATL"]), "TRIS: index")
-        for row in t["MATL"]:
-            for texture, texcoord in zip(row[13::2], row[14::2]):
-                require(texture == NONE or (texture < len(t["TEXI"]) and texcoord <= 1), "MATL: texture")
+        for name, start in (("MATL", 13), ("MATX", 29)):
+            for row in t[name]:
+                for texture, texcoord, transform in zip(row[start::3], row[start + 1 :: 3], row[start + 2 :: 3]):
+                    known = texture < len(t["TEXI"]) and texcoord <= 1 and transform <= len(t["TXFM"])
+                    require(texture == NONE or known, f"{name}: texture")
+        self.check_extensions()
         for width, height, first, wrap_s, wrap_t, srgb, nearest, filtering in t["TEXI"]:
             require(1 <= width <= 16384 and 1 <= height <= 16384, "TEXI: size")
             require(4 * (first + width * height) <= len(self.texels), "TEXI: texels")
             require(max(wrap_s, wrap_t, filtering) <= 2 and max(srgb, nearest) <= 1, "TEXI: sampler")
+
+    def check_extensions(self):
+        materials, extensions = self.tables["MATL"], self.tables["MATX"]
+        require(len(extensions) in (0, len(materials)), "MATX: count")
+        require(extensions or not any(row[12] & 0b111100 for row in materials), "MATL: flags need MATX")
+        require(len(self.tables["TXFM"]) <= 65535, "TXFM: count")
+        for row in extensions:
+            require(row[0] >= 0 and row[16] > 0 and abs(row[28]) < 1, "MATX: ior, iridescenceIor or scatterAnisotropy")
+            require(min(row[19:28]) >= 0, "MATX: emissive, absorption or scattering")
 
     def check_atlas(self):
         records, (width, height) = self.tables["RECS"], self.atlas_size
@@ -189,7 +207,7 @@ class Ptb:
             require(offset + stored <= size, f"{place}: range")
 
     def page(self, stream, tile, entry):
-        """Rows of u0, v0, width, height, energy R G B."""
+        """Rows of 0, u0, v0, width, height, energy R G B, and of 1, radiance R G B."""
         offset, stored, raw, page_hash = entry
         if stored == 0:
             return []
@@ -197,12 +215,26 @@ class Ptb:
         frame = self.data[start : start + stored]
         place = f"page {stream} {tile}"
         require(xxh64(frame) == page_hash, f"{place}: hash")
+        boxes = self.tables["TILE"][tile][3 if stream == self.view_count else 2]
         rows = []
-        for u0, v0, du, dv, red, green, blue, _ in BOX.iter_unpack(decompress(frame, raw, place)):
-            require(v0 + dv + 1 <= 65536, f"{place}: box below the domain")
-            require(all(e >= 0 and math.isfinite(e) for e in (red, green, blue)), f"{place}: energy")
-            rows.append((u0 / 65536, v0 / 65536, (du + 1) / 65536, (dv + 1) / 65536, red, green, blue))
+        for index, (u0, v0, du, dv, *energy, kind) in enumerate(BOX.iter_unpack(decompress(frame, raw, place))):
+            require(all(e >= 0 and math.isfinite(e) for e in energy), f"{place}: energy")
+            require(kind <= 1 and (kind == 0 or index % boxes == 0), f"{place}: kind")
+            if kind == 1:
+                require(-148 <= du - 32768 <= 128, f"{place}: exponent")
+                rows.append((1, *(math.ldexp(e, du - 32768) for e in energy)))
+                require(max(rows[-1][1:]) <= FLOAT_MAX, f"{place}: emitted radiance")
+            else:
+                require(v0 + dv + 1 <= 65536, f"{place}: box below the domain")
+                rows.append((0, u0 / 65536, v0 / 65536, (du + 1) / 65536, (dv + 1) / 65536, *energy))
+        self.check_emitted(stream, tile, rows[::boxes])
         return rows
+
+    def check_emitted(self, stream, tile, first_slots):
+        key = (tile, stream == self.view_count)
+        kinds = {row[0] for row in first_slots} | {self.emitted.setdefault(key, first_slots[0][0])}
+        require(len(kinds) == 1, f"page {stream} {tile}: some kernels of the tile have emitted radiance, some not")
+        require(kinds == {0} or self.tables["MATX"], f"page {stream} {tile}: emitted radiance needs MATX")
 
 
 def view_sphere(f):
@@ -239,7 +271,7 @@ def summary(ptb):
         rows = ptb.page(stream, tile, entry)
         pages += bool(rows)
         boxes += len(rows)
-        energy += sum(sum(row[4:7]) for row in rows)
+        energy += sum(sum(row[5:8]) for row in rows)
     return {"version": f"{ptb.header[0]}.{ptb.header[1]}", "provenance": ptb.provenance,
             "views": ptb.view_count, "atlas": list(ptb.atlas_size),
             "entries": {name: len(rows) for name, rows in ptb.tables.items()},

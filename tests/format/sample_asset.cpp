@@ -69,6 +69,39 @@ void addMaterials(Asset& asset, Numbers& numbers) {
   for (int i = 0; i < 14; ++i) asset.texels.push_back(numbers.integer(0xFFFFFFFFu));
 }
 
+/// Material 0 keeps the extension that adds nothing; the flags of material 1 are all of 1.1 that go together.
+void addExtensions(Asset& asset) {
+  Numbers numbers;
+  asset.materialExtensions.resize(2);
+  MaterialExtension& x = asset.materialExtensions[1];
+  x.ior = 1.25f;
+  for (float* value :
+       {&x.anisotropy, &x.anisotropyRotation, &x.clearcoat, &x.clearcoatRoughness, &x.sheenRoughness,
+        &x.transmission, &x.diffuseTransmission, &x.iridescence, &x.scatterAnisotropy})
+    *value = numbers.fraction();
+  x.clearcoatNormalScale = -3.0f;
+  x.iridescenceIor = 1.75f;
+  for (auto* color : {&x.sheenColor, &x.diffuseTransmissionColor, &x.emissive, &x.absorption, &x.scattering})
+    numbers.fill(*color);
+  x.iridescenceThickness[0] = 200.0f;
+  x.iridescenceThickness[1] = 350.0f;
+  uint16_t at = 0;
+  for (TextureRef* reference :
+       {&x.anisotropyTexture, &x.clearcoatTexture, &x.clearcoatRoughnessTexture, &x.clearcoatNormalTexture,
+        &x.sheenColorTexture, &x.sheenRoughnessTexture, &x.transmissionTexture, &x.diffuseTransmissionTexture,
+        &x.diffuseTransmissionColorTexture, &x.iridescenceTexture, &x.iridescenceThicknessTexture,
+        &x.emissiveTexture}) {
+    *reference = {at % 2u, uint16_t(at / 2 % 2), uint16_t(at / 3 % 3)};
+    ++at;
+  }
+  asset.materials[0].flags |= kUnlit;
+  asset.materials[1].flags = kAlphaBlend | kVolume | kMultipleScattering;
+  asset.materials[1].normalTexture.transform = 2;
+  asset.textureTransforms.resize(2);
+  for (TextureTransform& transform : asset.textureTransforms)
+    for (auto& row : transform.rows) numbers.fill(row);
+}
+
 void addRecords(Asset& asset, Numbers& numbers, const SampleSize& size) {
   const uint32_t side = 4 + size.records / 8;
   asset.info.atlasWidth = side + 1;
@@ -103,6 +136,18 @@ std::vector<PackedBox> makePage(Numbers& numbers, uint64_t boxes) {
     for (uint16_t& energy : box.energy) energy = glm::packHalf1x16(0.25f * numbers.fraction());
   }
   return page;
+}
+
+/// The Lambert kernels of tile 0 and the glossy ones of all others begin with emitted radiance.
+void addEmission(Sample& sample) {
+  const size_t tiles = sample.asset.tiles.size();
+  for (size_t i = 0; i < sample.pages.size(); ++i) {
+    const auto stream = uint32_t(i / tiles), tile = uint32_t(i % tiles);
+    if ((stream == sample.asset.diffuseStream()) != (tile == 0)) continue;
+    std::vector<PackedBox>& page = sample.pages[i];
+    for (size_t first = 0; first < page.size(); first += sample.asset.boxesPerKernel(stream, tile))
+      page[first] = packEmission({100000.0f * float(first + 1), 0.5f, 0.0f});
+  }
 }
 
 /// Tile 0 has glossy and Lambert kernels of different lengths, the others no glossy ones in every third view.
@@ -144,8 +189,10 @@ Sample makeSample(SampleSize size) {
   asset.info.viewCount = 10 * size.viewFrequency * size.viewFrequency + 2;
   addMesh(asset, numbers);
   addMaterials(asset, numbers);
+  if (size.extensions) addExtensions(asset);
   addRecords(asset, numbers, size);
   addPages(sample, numbers, size);
+  if (size.extensions) addEmission(sample);
   return sample;
 }
 

@@ -20,6 +20,7 @@ struct SampleSize {
   uint32_t viewFrequency = 1;
   uint32_t records = 5;
   uint32_t recordsPerTile = 3;
+  bool extensions = true;  ///< what format 1.1 added; without, the content is that of version-1.0.ptb
 };
 
 Sample makeSample(SampleSize size = {});
