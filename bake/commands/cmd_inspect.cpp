@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bake/commands/material_terms.h"
 #include "common/asset/asset_reader.h"
 #include "common/asset/finding.h"
 
@@ -19,6 +20,7 @@ using Json = nlohmann::ordered_json;
 /// The pages of one kind of stream.
 struct PageTotals {
   uint64_t pages = 0, kernels = 0, boxes = 0, stored = 0, raw = 0;
+  uint64_t emitted = 0;  // kernels with emitted radiance
 };
 
 struct Summary {
@@ -34,6 +36,23 @@ void addPage(PageTotals& totals, uint64_t kernels, uint64_t boxes, const asset::
   totals.raw += page.rawSize;
 }
 
+/// The kernels of a tile agree on whether they begin with emitted radiance, so that one page of each kind
+/// tells.
+uint64_t emittedKernels(const AssetReader& reader, uint32_t firstStream, uint32_t endStream) {
+  const Asset& asset = reader.asset();
+  uint64_t sum = 0;
+  for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
+    uint64_t kernels = 0;
+    uint32_t some = endStream;
+    for (uint32_t stream = firstStream; stream < endStream; ++stream) {
+      kernels += uint64_t(std::popcount(asset.mask(stream, tile)));
+      if (asset.mask(stream, tile) != 0) some = stream;
+    }
+    if (some != endStream && isEmission(reader.page(some, tile)[0])) sum += kernels;
+  }
+  return sum;
+}
+
 Summary summarise(const AssetReader& reader) {
   const Asset& asset = reader.asset();
   Summary summary;
@@ -43,6 +62,8 @@ Summary summarise(const AssetReader& reader) {
       addPage(stream == asset.diffuseStream() ? summary.diffuse : summary.glossy, kernels,
               kernels * asset.boxesPerKernel(stream, tile), reader.pageEntry(stream, tile));
     }
+  summary.glossy.emitted = emittedKernels(reader, 0, asset.diffuseStream());
+  summary.diffuse.emitted = emittedKernels(reader, asset.diffuseStream(), asset.streamCount());
   summary.head = sizeof(asset::FileHeader) + reader.chunks().size() * sizeof(ChunkEntry);
   summary.padding = reader.header().fileSize - summary.head;
   for (const ChunkEntry& entry : reader.chunks()) summary.padding -= entry.storedSize;
@@ -60,6 +81,7 @@ double ratio(uint64_t value, uint64_t by) { return by ? double(value) / double(b
 Json pagesToJson(const PageTotals& totals, uint64_t records) {
   return {{"pages", totals.pages},
           {"kernels", totals.kernels},
+          {"emittedKernels", totals.emitted},
           {"boxes", totals.boxes},
           {"stored", totals.stored},
           {"raw", totals.raw},
@@ -106,6 +128,7 @@ Json toJson(const AssetReader& reader) {
         {"textures", info.textureCount},
         {"records", info.recordCount},
         {"tiles", info.tileCount}}},
+      {"materialTerms", materialTerms(asset)},
       {"bytes", bytesToJson(reader, summary)}};
 }
 
@@ -159,7 +182,13 @@ void printText(const Json& summary) {
                              atlas["coveredTexels"].dump()));
   print("views", fmt::format("{} (frequency {})", views["count"].dump(), views["frequency"].dump()));
   for (const auto& [key, value] : summary["counts"].items()) print(key.c_str(), value.dump());
-  printBytes(summary["bytes"]);
+  for (const auto& [key, value] : summary["materialTerms"].items())
+    print("", fmt::format("{} material{} with {}", value.dump(), value == 1 ? "" : "s", key));
+  const Json& bytes = summary["bytes"];
+  for (const char* kind : {"glossyPages", "diffusePages"})
+    if (const Json& emitted = bytes[kind]["emittedKernels"]; emitted != 0)
+      print("emission", fmt::format("in {} kernels of the {}", emitted.dump(), kind));
+  printBytes(bytes);
 }
 
 void inspect(const std::string& path, bool json) {

@@ -26,9 +26,10 @@ void readAttenuation(const GltfMembers& volume, float (&attenuation)[3]) {
 void readScattering(const GltfMembers& scatter, asset::MaterialExtension& x) {
   float color[3] = {0, 0, 0};
   const bool older = !scatter.has("multiscatterColorFactor");
-  scatter.numbers(older ? "multiscatterColor" : "multiscatterColorFactor", color, 0.0, 1.0);
+  const bool colored =
+      scatter.numbers(older ? "multiscatterColor" : "multiscatterColorFactor", color, 0.0, 1.0);
   x.scatterAnisotropy = scatter.number("scatterAnisotropy", 0.0, -kMaxAnisotropy, kMaxAnisotropy);
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 3 && colored; ++i) {
     const double attenuation = x.absorption[i];
     const double albedo = singleScatteringAlbedo(color[i], x.scatterAnisotropy);
     x.scattering[i] = float(albedo * attenuation);

@@ -87,11 +87,14 @@ void checkPrimitives(const fs::path& path, const Json& json) {
     const Json& primitives = meshes[m]["primitives"];
     for (size_t p = 0; p < primitives.size(); ++p) {
       if (!extensionOf(primitives[p], kDraco)) continue;
-      for (const auto& [name, accessor] : primitives[p]["attributes"].items()) {
+      const auto check = [&](const Json& accessor, const std::string& name) {
         const Json& target = json["accessors"][accessor.get<size_t>()];
         if (!target.contains("bufferView") && !target.contains("sparse"))
-          failCompressed(path, fmt::format("meshes[{}].primitives[{}].attributes.{}", m, p, name), kDraco);
-      }
+          failCompressed(path, fmt::format("meshes[{}].primitives[{}].{}", m, p, name), kDraco);
+      };
+      for (const auto& [name, accessor] : primitives[p]["attributes"].items())
+        check(accessor, "attributes." + name);
+      if (primitives[p].contains("indices")) check(primitives[p]["indices"], "indices");
     }
   }
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <array>
-#include <optional>
+#include <atomic>
 #include <span>
 #include <string>
 #include <vector>
@@ -49,7 +49,7 @@ void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const
 
 /// Do the pages of a tile agree, of its glossy streams and of its Lambert stream each, on whether their
 /// kernels begin with emitted radiance? (checkBoxes looks inside one page.) Does a file that has any have
-/// MATX?
+/// MATX? Pages may come in any order and from several threads.
 class EmittedSlots {
  public:
   explicit EmittedSlots(const Asset& asset) : asset_(asset), seen_(asset.tiles.size()) {}
@@ -57,7 +57,8 @@ class EmittedSlots {
 
  private:
   const Asset& asset_;
-  std::vector<std::array<std::optional<bool>, 2>> seen_;  // per tile: glossy, Lambert
+  enum Seen : uint8_t { kNoPage, kBoxes, kEmitted };
+  std::vector<std::array<std::atomic<Seen>, 2>> seen_;  // per tile: glossy, Lambert
 };
 
 /// Boxes in the page of one stream of one tile.

@@ -2,6 +2,7 @@
 #include "common/asset/asset_reader.h"
 
 #include <cassert>
+#include <optional>
 
 #include "common/asset/asset_checks.h"
 #include "common/asset/page_read.h"
@@ -16,11 +17,13 @@ struct AssetReader::Impl {
     checkTables(loaded.asset, loaded.present, report);
     assert(pagesCanBeFound(loaded));
     checkPageIndex(loaded, file.find(chunk::kPages)->storedSize, report);
+    emitted.emplace(loaded.asset);
   }
 
   ChunkFile file;
   Reporter report;
   LoadedAsset loaded;
+  std::optional<EmittedSlots> emitted;
 };
 
 AssetReader::AssetReader(const std::filesystem::path& path) : impl_(std::make_unique<Impl>(path)) {}
@@ -45,7 +48,9 @@ void AssetReader::verifyPages() const {
 
 std::vector<PackedBox> AssetReader::page(uint32_t stream, uint32_t tile) const {
   assert(stream < asset().streamCount() && tile < asset().tiles.size());
-  return readPage(impl_->file, impl_->loaded, stream, tile, impl_->report);
+  std::vector<PackedBox> boxes = readPage(impl_->file, impl_->loaded, stream, tile, impl_->report);
+  impl_->emitted->check(stream, tile, boxes, impl_->report);
+  return boxes;
 }
 
 }  // namespace boxlight::asset

@@ -106,14 +106,15 @@ void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const
 void EmittedSlots::check(uint32_t stream, uint32_t tile, std::span<const PackedBox> page,
                          const Reporter& report) {
   if (page.empty()) return;
-  const bool emitted = isEmission(page[0]);
-  std::optional<bool>& seen = seen_[tile][stream == asset_.diffuseStream()];
-  if (emitted && asset_.materialExtensions.empty())
+  const Seen found = isEmission(page[0]) ? kEmitted : kBoxes;
+  if (found == kEmitted && asset_.materialExtensions.empty())
     report(extensionMissing, chunk::kPages, pagePlace(asset_, stream, tile), "emitted radiance without MATX");
-  if (seen.value_or(emitted) != emitted)
+  Seen before = kNoPage;
+  if (!seen_[tile][stream == asset_.diffuseStream()].compare_exchange_strong(before, found) &&
+      before != found)
     report(emittedSlots, chunk::kPages, pagePlace(asset_, stream, tile),
-           "{} emitted radiance, another view has {}", emitted ? "has" : "no", emitted ? "none" : "some");
-  seen = emitted;
+           "{} emitted radiance, another view has {}", found == kEmitted ? "with" : "without",
+           found == kEmitted ? "none" : "some");
 }
 
 }  // namespace boxlight::asset

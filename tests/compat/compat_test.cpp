@@ -3,21 +3,41 @@
 #include <gtest/gtest.h>
 
 #include "common/asset/asset_validate.h"
+#include "tests/format/sample_asset.h"
 #include "tests/unit/asset/surgeon.h"
 
 namespace boxlight::asset {
 namespace {
 
-TEST(Compatibility, version_1_0) {
-  const std::filesystem::path path = GOLDEN_FOLDER "/version-1.0.ptb";
-  EXPECT_EQ(contentHash(path), 0xe9acc4d4c205abbdull);
+struct Version {
+  const char* file;
+  uint64_t contentHash;
+  bool extensions;
+};
+
+class Compatibility : public ::testing::TestWithParam<Version> {};
+
+TEST_P(Compatibility, readsAsItDid) {
+  const std::filesystem::path path = std::filesystem::path(GOLDEN_FOLDER) / GetParam().file;
+  EXPECT_EQ(contentHash(path), GetParam().contentHash);
   const Validation validation = validateAsset(path);
   for (const Finding& finding : validation.findings) ADD_FAILURE() << finding.message();
   const AssetReader reader(path);
   EXPECT_EQ(reader.asset().provenance["tool"], "sample 1.0");
   EXPECT_EQ(reader.asset().records[4].atlasX, 4u);
   EXPECT_EQ(reader.page(12, 1).size(), 8u);
+  EXPECT_EQ(reader.asset().materialExtensions.empty(), !GetParam().extensions);
 }
+
+TEST_P(Compatibility, isWhatIsWrittenToday) {
+  const TemporaryFile file;
+  makeSample({.extensions = GetParam().extensions}).write(file.path);
+  EXPECT_EQ(contentHash(file.path), GetParam().contentHash);
+}
+
+INSTANTIATE_TEST_SUITE_P(Versions, Compatibility,
+                         ::testing::Values(Version{"version-1.0.ptb", 0xe9acc4d4c205abbdull, false},
+                                           Version{"version-1.1.ptb", 0x2494a6ebac4d2b26ull, true}));
 
 }  // namespace
 }  // namespace boxlight::asset

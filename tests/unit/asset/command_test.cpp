@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <nlohmann/json.hpp>
 
 #include "bake/commands/cmd_inspect.h"
@@ -62,16 +63,39 @@ TEST_F(Command, inspectAccountsForEveryByte) {
   EXPECT_EQ(sum, std::filesystem::file_size(file.path));
   EXPECT_EQ(pages,
             bytes["glossyPages"]["stored"].get<uint64_t>() + bytes["diffusePages"]["stored"].get<uint64_t>());
-  EXPECT_EQ(summary["version"], "1.0");
+  EXPECT_EQ(summary["version"], "1.1");
   EXPECT_EQ(summary["counts"]["records"], 70);
   EXPECT_EQ(bytes["diffusePages"]["kernels"], 70);
   EXPECT_EQ(bytes["diffusePages"]["boxes"], 280);
 }
 
+TEST_F(Command, inspectNamesTermsAndEmission) {
+  const auto summary = nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
+  const auto& terms = summary["materialTerms"];
+  EXPECT_EQ(terms["KHR_materials_unlit"], 1);
+  EXPECT_EQ(terms["KHR_materials_specular"], 1);
+  EXPECT_EQ(terms.size(), 15u) << "all but MASK: " << terms;
+  const auto& bytes = summary["bytes"];
+  // Tile 0 has 64 records and emits in its Lambert kernels, tile 1 has 6 and emits in its glossy ones.
+  EXPECT_EQ(bytes["diffusePages"]["emittedKernels"], 64);
+  uint64_t glossy = 0;
+  const asset::Sample sample = asset::makeSample({.records = 70, .recordsPerTile = 64});
+  for (uint32_t view = 0; view < 12; ++view) glossy += uint64_t(std::popcount(sample.asset.mask(view, 1)));
+  EXPECT_EQ(bytes["glossyPages"]["emittedKernels"], glossy);
+  EXPECT_GT(glossy, 0u);
+  const std::string text = run("inspect " + file.path.string()).output;
+  EXPECT_NE(text.find("1 material with KHR_materials_clearcoat"), std::string::npos) << text;
+  EXPECT_NE(text.find("in 64 kernels of the diffusePages"), std::string::npos) << text;
+  asset::makeSample({.extensions = false}).write(file.path);
+  const auto plain = nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
+  EXPECT_EQ(plain["bytes"]["diffusePages"]["emittedKernels"], 0);
+  EXPECT_EQ(plain["materialTerms"].size(), 2u) << "MASK and specular: " << plain["materialTerms"];
+}
+
 TEST_F(Command, inspectPrintsText) {
   const Outcome result = run("inspect " + file.path.string());
   for (const char* part :
-       {"1.0, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
+       {"1.1, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
     EXPECT_NE(result.output.find(part), std::string::npos) << part << "\n" << result.output;
 }
 

@@ -1,40 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Values that no writer would write, behind correct hashes.
-#include <gtest/gtest.h>
-
-#include <bit>
-#include <limits>
-
-#include "common/asset/asset_validate.h"
-#include "common/base/file.h"
-#include "tests/format/sample_asset.h"
-#include "tests/unit/asset/surgeon.h"
+#include "tests/unit/asset/hostile.h"
 
 namespace boxlight::asset {
 namespace {
 
 using enum FindingCode;
-
-struct Case {
-  const char* name;
-  FindingCode code;
-  std::function<void(Surgeon&)> operate;
-};
-
-void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
-
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kInfinity = std::numeric_limits<float>::infinity();
-
-/// An edit of one entry of an array chunk.
-template <class T>
-std::function<void(Surgeon&)> in(uint32_t type, size_t index, std::function<void(T&)> change) {
-  return [=](Surgeon& s) { s.edit<T>(type, index, change); };
-}
-
-std::function<void(Surgeon&)> inEntry(uint32_t type, std::function<void(ChunkEntry&)> change) {
-  return [=](Surgeon& s) { change(s.entry(type)); };
-}
 
 Bytes text(const std::string& characters) {
   const auto bytes = std::as_bytes(std::span(characters));
@@ -232,30 +203,10 @@ const std::vector<Case> kHarmless = {
     {"atlasUv", vertexAtlasUv, in<Vertex>(chunk::kVertices, 0, [](Vertex& v) { v.atlasUv[0] = -0.5f; })},
     {"materialValue", materialValue, in<Material>(chunk::kMaterials, 0, [](Material& m) { m.metallic = 2; })},
     {"materialFlag", reserved, in<Material>(chunk::kMaterials, 0, [](Material& m) { m.flags |= 0x80; })},
-    {"boxReserved", reserved, [](Surgeon& s) { s.editBox(0, 0, [](PackedBox& b) { b.kind = 2; }); }},
     {"kernelEnergy", kernelEnergy,
      [](Surgeon& s) { s.editBox(0, 0, [](PackedBox& b) { b.energy[0] = 0x4900; }); }},
     {"energyNegativeZero", kernelEnergy,
      [](Surgeon& s) { s.editBox(0, 0, [](PackedBox& b) { b.energy[0] = 0x4900, b.energy[1] = 0x8000; }); }},
-};
-
-class Hostile : public ::testing::TestWithParam<Case> {
- protected:
-  Hostile() {
-    makeSample().write(file.path);
-    Surgeon surgeon(readFile(file.path));
-    GetParam().operate(surgeon);
-    surgeon.write(file.path);
-    validation = validateAsset(file.path);
-  }
-  std::string found() const {
-    std::string list;
-    for (const Finding& finding : validation.findings)
-      list += fmt::format("\n{}: {}", int(finding.kind->code), finding.message());
-    return list;
-  }
-  const TemporaryFile file;
-  Validation validation;
 };
 
 TEST_P(Hostile, endsInAnErrorOfItsKind) {
@@ -271,19 +222,16 @@ TEST_P(Hostile, endsInAnErrorOfItsKind) {
   }
 }
 
-class Harmless : public Hostile {};
-
 TEST_P(Harmless, isReadAndMentioned) {
   EXPECT_TRUE(validation.count.contains(GetParam().code)) << found();
   EXPECT_EQ(validation.exitCode(), ExitCode::ok) << found();
   EXPECT_NO_THROW(contentHash(file.path));
 }
 
-const auto kName = [](const auto& test) { return test.param.name; };
-INSTANTIATE_TEST_SUITE_P(Head, Hostile, ::testing::ValuesIn(kHeadCases), kName);
-INSTANTIATE_TEST_SUITE_P(Table, Hostile, ::testing::ValuesIn(kTableCases), kName);
-INSTANTIATE_TEST_SUITE_P(Page, Hostile, ::testing::ValuesIn(kPageCases), kName);
-INSTANTIATE_TEST_SUITE_P(File, Harmless, ::testing::ValuesIn(kHarmless), kName);
+INSTANTIATE_TEST_SUITE_P(Head, Hostile, ::testing::ValuesIn(kHeadCases), kCaseName);
+INSTANTIATE_TEST_SUITE_P(Table, Hostile, ::testing::ValuesIn(kTableCases), kCaseName);
+INSTANTIATE_TEST_SUITE_P(Page, Hostile, ::testing::ValuesIn(kPageCases), kCaseName);
+INSTANTIATE_TEST_SUITE_P(File, Harmless, ::testing::ValuesIn(kHarmless), kCaseName);
 
 TEST(Validate, findsMoreThanTheFirst) {
   const TemporaryFile file;

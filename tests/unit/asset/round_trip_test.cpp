@@ -29,6 +29,8 @@ void expectSame(const Sample& sample, const AssetReader& reader) {
   EXPECT_TRUE(sameBytes(written.vertices, read.vertices));
   EXPECT_TRUE(sameBytes(written.triangles, read.triangles));
   EXPECT_TRUE(sameBytes(written.materials, read.materials));
+  EXPECT_TRUE(sameBytes(written.materialExtensions, read.materialExtensions));
+  EXPECT_TRUE(sameBytes(written.textureTransforms, read.textureTransforms));
   EXPECT_TRUE(sameBytes(written.textures, read.textures));
   EXPECT_TRUE(sameBytes(written.texels, read.texels));
   EXPECT_TRUE(sameBytes(written.atlas, read.atlas));
@@ -55,7 +57,25 @@ TEST_P(RoundTrip, everyValueComesBack) {
 INSTANTIATE_TEST_SUITE_P(
     Sizes, RoundTrip,
     ::testing::Values(SampleSize{}, SampleSize{.viewFrequency = 3, .records = 70, .recordsPerTile = 64},
-                      SampleSize{.records = 64, .recordsPerTile = 64}, SampleSize{.records = 0}));
+                      SampleSize{.records = 64, .recordsPerTile = 64}, SampleSize{.records = 0},
+                      SampleSize{.extensions = false}));
+
+TEST(AssetWriter, leavesOutTheTablesOf11ThatAreEmpty) {
+  const auto typesOf = [](bool extensions) {
+    const TemporaryFile file;
+    makeSample({.extensions = extensions}).write(file.path);
+    const AssetReader reader(file.path);
+    std::vector<std::string> types;
+    for (const ChunkEntry& entry : reader.chunks()) types.push_back(Reporter::chunkName(entry.type));
+    return types;
+  };
+  using Types = std::vector<std::string>;
+  EXPECT_EQ(typesOf(false), (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "TEXI", "TEXD", "ATLS", "RECS",
+                                   "TILE", "MASK", "PAGE", "PGIX"}))
+      << "those of version 1.0, in its order";
+  EXPECT_EQ(typesOf(true), (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "MATX", "TXFM", "TEXI", "TEXD",
+                                  "ATLS", "RECS", "TILE", "MASK", "PAGE", "PGIX"}));
+}
 
 TEST(AssetWriter, givesTheSameBytesForTheSameInput) {
   const TemporaryFile first, second;
@@ -119,12 +139,18 @@ TEST(AssetWriter, refusesWhatTheReaderWouldRefuse) {
     EXPECT_FALSE(std::filesystem::exists(file.path));
   };
   Sample badIndex = makeSample(), badBox = makeSample(), shortPage = makeSample(),
-         badProvenance = makeSample();
+         badProvenance = makeSample(), badExtension = makeSample(), viewsDisagree = makeSample(),
+         flagsAlone = makeSample({.extensions = false});
+  badExtension.asset.materialExtensions.pop_back();
+  viewsDisagree.pages[3][0] = PackedBox();
+  flagsAlone.asset.materials[1].flags |= kUnlit;
   badIndex.asset.triangles[1].vertex[2] = 7;
   badBox.pages[0][0].energy[1] = 0x7C00;
   shortPage.pages[0].pop_back();
   badProvenance.asset.provenance = nullptr;
-  for (const Sample* sample : {&badIndex, &badBox, &shortPage, &badProvenance}) expectRefusal(*sample);
+  for (const Sample* sample :
+       {&badIndex, &badBox, &shortPage, &badProvenance, &badExtension, &viewsDisagree, &flagsAlone})
+    expectRefusal(*sample);
 }
 
 TEST(AssetReader, readsPagesFromSeveralThreads) {

@@ -302,10 +302,11 @@ const Damage kDamages[] = {
      [](auto& b) { b.json["materials"][0]["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1}; }},
     {"alpha_mode", kInvalid, "materials[0].alphaMode",
      [](auto& b) { b.json["materials"][0]["alphaMode"] = "GLASS"; }},
-    {"blend", kUnsupported, "materials[0] \"glass\".alphaMode",
-     [](auto& b) { b.json["materials"][0].update({{"alphaMode", "BLEND"}, {"name", "glass"}}); }},
-    {"texcoord_2", kUnsupported, "baseColorTexture.texCoord",
-     [](auto& b) { b.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2; }},
+    {"texcoord_2", kUnsupported, "materials[0] \"wood\".pbrMetallicRoughness.baseColorTexture.texCoord",
+     [](auto& b) {
+       b.json["materials"][0]["name"] = "wood";
+       b.json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"]["texCoord"] = 2;
+     }},
     {"texcoord_missing", kInvalid, "meshes[0].primitives[0].attributes.TEXCOORD_0: missing",
      [](auto& b) { b.primitive()["attributes"].erase("TEXCOORD_0"); }},
 };

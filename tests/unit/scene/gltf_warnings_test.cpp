@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
-#include <spdlog/sinks/ostream_sink.h>
 
-#include <sstream>
-
-#include "common/base/log.h"
 #include "gltf_builder.h"
+#include "log_capture.h"
 
 namespace boxlight::test {
 namespace {
 
 // What the log says while a file is loaded.
 std::string messagesOf(const GltfBuilder& builder) {
-  std::ostringstream text;
-  const auto sink = std::make_shared<spdlog::sinks::ostream_sink_st>(text);
-  const auto level = log().level();
-  log().set_level(spdlog::level::debug);
-  log().sinks().push_back(sink);
+  const LogCapture capture;
   builder.load();
-  log().sinks().pop_back();
-  log().set_level(level);
-  return text.str();
+  return capture.text();
 }
 
 void expectSaid(const GltfBuilder& builder, std::initializer_list<std::string> expected) {
@@ -33,9 +24,8 @@ TEST(GltfWarnings, NoneForAPlainFile) { EXPECT_EQ(messagesOf(oneTriangle()), "")
 
 TEST(GltfWarnings, UnsupportedExtensionsInOneLine) {
   GltfBuilder builder = oneTriangle();
-  builder.json["extensionsUsed"] = {"KHR_texture_transform", "KHR_materials_specular", "EXT_foo"};
-  expectSaid(builder,
-             {"extensionsUsed: not supported and therefore ignored: KHR_texture_transform, EXT_foo"});
+  builder.json["extensionsUsed"] = {"KHR_lights_punctual", "KHR_materials_specular", "EXT_foo"};
+  expectSaid(builder, {"extensionsUsed: not supported and therefore ignored: KHR_lights_punctual, EXT_foo"});
 }
 
 TEST(GltfWarnings, SkippedPrimitivesByName) {
@@ -62,10 +52,15 @@ TEST(GltfWarnings, WhatWasMended) {
   primitive["attributes"]["TANGENT"] = builder.addFloats("VEC4", {1, 0, 0, 1, 1, 0, 0, 0, 1, 0, 0, -1});
   primitive["attributes"]["COLOR_0"] = builder.addFloats("VEC3", {1, 1, 1, 2, 1, 1, 1, 1, -1});
   primitive["indices"] = builder.addIndices<uint8_t>({0, 1, 2, 0, 0, 1});
-  primitive["material"] = builder.add("materials", {{"emissiveFactor", {0, 0, 1}}});
-  expectSaid(builder,
-             {"1 normals of zero length", "w of 1 tangents", "2 colours clamped",
-              "1 triangles without area dropped", "materials[0].emissiveFactor: emission is ignored"});
+  expectSaid(builder, {"1 normals of zero length", "w of 1 tangents", "2 colours clamped",
+                       "1 triangles without area dropped"});
+}
+
+TEST(GltfWarnings, AnisotropyWithoutADirection) {
+  GltfBuilder builder = oneTriangle();
+  builder.primitive()["material"] =
+      builder.add("materials", {{"extensions", {{"KHR_materials_anisotropy", {{"anisotropyStrength", 1}}}}}});
+  expectSaid(builder, {"meshes[0].primitives[0]: anisotropic, but without TANGENT and TEXCOORD_0"});
 }
 
 TEST(GltfWarnings, SixteenBitImages) {

@@ -128,5 +128,58 @@ TEST(Tangents, DegenerateUvStillGivesAFrame) {
   }
 }
 
+// TEXCOORD_0 upright (tangent +X), TEXCOORD_1 turned (tangent +Y).
+GltfBuilder twoSets(const Json& material) {
+  GltfBuilder builder = texturedSquare(material);
+  builder.addTexture(kFlatMap);
+  builder.primitive()["attributes"]["TEXCOORD_1"] = builder.addFloats("VEC2", {0, 0, 0, 1, 1, 1, 1, 0});
+  return builder;
+}
+Json anisotropic(const Json& more = Json::object()) {
+  Json members = {{"anisotropyStrength", .5}};
+  members.update(more);
+  return {{"extensions", {{"KHR_materials_anisotropy", members}}}};
+}
+const Json kSet0 = {{"index", 0}}, kSet1 = {{"index", 0}, {"texCoord", 1}};
+
+void expectTangents(const GltfBuilder& builder, vec3 direction) {
+  for (const asset::Vertex& v : builder.load().vertices) expectTangent(v, direction, 1);
+}
+
+TEST(Tangents, AnisotropyNeedsThem) {
+  const vec3 x(1, 0, 0), y(0, 1, 0);
+  expectTangents(twoSets(anisotropic()), x);
+  expectTangents(twoSets(anisotropic({{"anisotropyTexture", kSet1}})), y);
+  Json both = anisotropic();
+  both["normalTexture"] = kSet1;
+  expectTangents(twoSets(both), y);
+  both["extensions"]["KHR_materials_anisotropy"]["anisotropyTexture"] = kSet0;
+  expectTangents(twoSets(both), x);
+  GltfBuilder onlySet1 = twoSets(anisotropic());
+  onlySet1.primitive()["attributes"].erase("TEXCOORD_0");
+  expectTangents(onlySet1, y);
+}
+
+TEST(Tangents, TheFilesOwnComeFirst) {
+  GltfBuilder builder = twoSets(anisotropic());
+  builder.primitive()["attributes"]["TANGENT"] =
+      builder.addFloats("VEC4", {0, -1, 0, 1, 0, -1, 0, 1, 0, -1, 0, 1, 0, -1, 0, 1});
+  expectTangents(builder, {0, -1, 0});
+}
+
+TEST(Tangents, TheClearcoatsNormalTextureNeedsThem) {
+  const Json coat = {{"clearcoatFactor", 1}, {"clearcoatNormalTexture", kSet1}};
+  expectTangents(twoSets({{"extensions", {{"KHR_materials_clearcoat", coat}}}}), {0, 1, 0});
+}
+
+TEST(Tangents, AnisotropyWithoutUvGetsAFrame) {
+  GltfBuilder builder = oneTriangle();
+  builder.primitive()["material"] = builder.add("materials", anisotropic());
+  for (const asset::Vertex& v : builder.load().vertices) {
+    EXPECT_NEAR(glm::length(tangentOf(v)), 1.0, 1e-6);
+    EXPECT_NEAR(glm::dot(tangentOf(v), normalOf(v)), 0.0, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace boxlight::test
