@@ -30,7 +30,7 @@ float isotropicRoughness(float roughness, float anisotropy) {
 /// Energy that single scattering between microfacets loses: Turquin, "Practical Multiple Scattering Compensation for Microfacet
 /// Models", 2019.
 vec3 multipleScattering(BaseLayer base) {
-  float total = max(base.albedo.x + base.albedo.y, 1e-4);
+  float total = max(base.albedo.x + base.albedo.y, 1e-3);
   return 1.0 + base.f0 * (1.0 / total - 1.0);
 }
 

@@ -88,7 +88,7 @@ void addTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) 
 }  // namespace
 
 struct FrameRenderer::Parts {
-  Parts(Device& gpu, const AssetSource& source, const Image& environment, const FrameSettings& chosen);
+  Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment, const FrameSettings& chosen);
   void findVisible();
   void findLayers(size_t tile);
   void drawSamples(Commands& commands, size_t tile);
@@ -117,21 +117,21 @@ struct FrameRenderer::Parts {
   Image picture;
 };
 
-FrameRenderer::Parts::Parts(Device& gpu, const AssetSource& source, const Image& environment,
+FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment,
                             const FrameSettings& chosen)
     : device(gpu),
       settings(chosen),
-      blended(isBlended(source.asset)),
+      blended(isBlended(reader.asset())),
       tiles(splitPicture(settings, gpu.limits(), blended)),
       tileLayers(tiles.size()),
       bindings(gpu),
-      scene(gpu, bindings, source.asset),
+      scene(gpu, bindings, reader.asset()),
       light(gpu, bindings, makeLightMap(environment, settings.lightSize)),
       frame(gpu, "frame constants", sizeof(FrameConstants)),
       background(gpu, "no background", 0),
-      shaded(gpu, bindings, source.asset),
-      constants(surfaceConstants(source.asset, settings.background, blended ? settings.layerLimit : 0)),
-      visibility(gpu, bindings, source.asset, constants, tiles.front().size * settings.samples),
+      shaded(gpu, bindings, reader.asset()),
+      constants(surfaceConstants(reader.asset(), settings.background, blended ? settings.layerLimit : 0)),
+      visibility(gpu, bindings, reader.asset(), constants, tiles.front().size * settings.samples),
       picture(makeImage(settings.camera.size.x, settings.camera.size.y, 4)) {
   uvec2 backgroundSize(0);
   if (settings.background) {
@@ -140,21 +140,21 @@ FrameRenderer::Parts::Parts(Device& gpu, const AssetSource& source, const Image&
     background = makeBuffer(gpu, "background", image.pixels);
     bindings.set(kBindBackground, background);
   }
-  const FrameConstants camera = makeConstants(source.asset, settings, backgroundSize, light.unit());
+  const FrameConstants camera = makeConstants(reader.asset(), settings, backgroundSize, light.unit());
   upload(gpu, frame, std::as_bytes(std::span(&camera, 1)));
   bindings.set(kBindFrame, frame);
   if (blended)
-    layers.emplace(gpu, bindings, source.asset, constants, tiles.front().size * settings.samples,
+    layers.emplace(gpu, bindings, reader.asset(), constants, tiles.front().size * settings.samples,
                    settings.layerLimit);
 
   findVisible();
   const std::vector<VisibleRecord> visible = visibility.readList(gpu);
-  pages.emplace(gpu, bindings, source, visible, settings.camera.eye, settings.poolBytes, settings.threads);
-  shade.emplace(gpu, bindings, source.asset, pages->poolCount(), pages->emitters(), settings.interpolation);
+  pages.emplace(gpu, bindings, reader, visible, settings.camera.eye, settings.poolBytes, settings.threads);
+  shade.emplace(gpu, bindings, reader.asset(), pages->poolCount(), pages->emitters(), settings.interpolation);
   constants[kConstantLayers] = counts.layers;
   resolve.emplace(gpu, bindings, constants, uint64_t(tiles.front().size.x) * tiles.front().size.y);
   counts.visibleRecords = visible.size();
-  counts.boxes = pages->countBoxes(source.asset, visible, settings.boxLimit);
+  counts.boxes = pages->countBoxes(reader.asset(), visible, settings.boxLimit);
   counts.pages = pages->pageCount();
   counts.pageBytes = pages->bytes();
   counts.sceneBytes = scene.bytes();
@@ -210,9 +210,9 @@ void FrameRenderer::Parts::keepTile(const ImageTile& tile) {
                 picture.at(tile.origin.x, tile.origin.y + y));
 }
 
-FrameRenderer::FrameRenderer(Device& device, const AssetSource& source, const Image& environment,
+FrameRenderer::FrameRenderer(Device& device, const asset::AssetReader& reader, const Image& environment,
                              const FrameSettings& settings)
-    : parts_(std::make_unique<Parts>(device, source, environment, settings)) {
+    : parts_(std::make_unique<Parts>(device, reader, environment, settings)) {
   run();
 }
 

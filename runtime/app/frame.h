@@ -38,7 +38,7 @@ struct FrameCounts {
 /// and runs every pass once, so that no later frame waits for a compiler.
 class FrameRenderer {
  public:
-  FrameRenderer(Device& device, const AssetSource& source, const Image& environment,
+  FrameRenderer(Device& device, const asset::AssetReader& reader, const Image& environment,
                 const FrameSettings& settings);
   ~FrameRenderer();
 

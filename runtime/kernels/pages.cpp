@@ -94,16 +94,17 @@ void parallelFor(size_t count, int threads, const std::function<void(size_t)>& a
   if (failure) std::rethrow_exception(failure);
 }
 
-std::vector<std::vector<PackedBox>> readPages(const AssetSource& source, const std::vector<Page>& pages,
+std::vector<std::vector<PackedBox>> readPages(const asset::AssetReader& reader,
+                                              const std::vector<Page>& pages,
                                               const std::vector<PageSlot>& table,
                                               const std::vector<uint64_t>& used, int threads) {
   std::vector<std::vector<PackedBox>> pools;
   for (const uint64_t boxes : used) pools.emplace_back(boxes);
   parallelFor(pages.size(), threads, [&](size_t i) {
     const Page page = pages[i];
-    const PageSlot& slot = table[page.stream * source.asset.tiles.size() + page.tile];
-    const std::vector<PackedBox> boxes = source.page(page.stream, page.tile);
-    assert(boxes.size() == boxesOf(source.asset, page));
+    const PageSlot& slot = table[page.stream * reader.asset().tiles.size() + page.tile];
+    const std::vector<PackedBox> boxes = reader.page(page.stream, page.tile);
+    assert(boxes.size() == boxesOf(reader.asset(), page));
     std::copy(boxes.begin(), boxes.end(), pools[slot.pool].begin() + slot.firstBox);
   });
   return pools;
@@ -111,7 +112,7 @@ std::vector<std::vector<PackedBox>> readPages(const AssetSource& source, const s
 
 constexpr double mebibytes(uint64_t bytes) { return double(bytes) / double(1 << 20); }
 
-void requireFit(const Device& device, const AssetSource& source, const std::vector<uint64_t>& used,
+void requireFit(const Device& device, const asset::AssetReader& reader, const std::vector<uint64_t>& used,
                 uint64_t poolBytes) {
   if (used.size() <= kMaxBoxPools) return;
   uint64_t boxes = 0;
@@ -120,33 +121,25 @@ void requireFit(const Device& device, const AssetSource& source, const std::vect
        "{}: this view needs {:.1f} MiB of boxes, but {} storage buffers of {:.1f} MiB are all that '{}' "
        "binds; bake with fewer "
        "boxes or a smaller atlas, or choose another device",
-       source.name, mebibytes(boxes * sizeof(PackedBox)), kMaxBoxPools, mebibytes(poolBytes),
+       reader.path().string(), mebibytes(boxes * sizeof(PackedBox)), kMaxBoxPools, mebibytes(poolBytes),
        device.info().name);
 }
 
 }  // namespace
 
-AssetSource::AssetSource(const asset::AssetReader& reader)
-    : AssetSource(
-          reader.asset(), [&reader](uint32_t stream, uint32_t tile) { return reader.page(stream, tile); },
-          reader.path().string()) {}
-
-AssetSource::AssetSource(const asset::Asset& all, PageProvider provider, std::string path)
-    : asset(all), page(std::move(provider)), name(std::move(path)) {}
-
-ResidentPages::ResidentPages(Device& device, Bindings& bindings, const AssetSource& source,
+ResidentPages::ResidentPages(Device& device, Bindings& bindings, const asset::AssetReader& reader,
                              std::span<const VisibleRecord> visible, vec3 eye, uint64_t poolBytes,
                              int threads)
-    : lambertEmits_(source.asset.tiles.size()),
-      glossyEmits_(source.asset.tiles.size()),
-      table_(device, "page table", uint64_t(source.asset.streamMasks.size()) * sizeof(PageSlot)) {
-  const auto& asset = source.asset;
+    : lambertEmits_(reader.asset().tiles.size()),
+      glossyEmits_(reader.asset().tiles.size()),
+      table_(device, "page table", uint64_t(reader.asset().streamMasks.size()) * sizeof(PageSlot)) {
+  const auto& asset = reader.asset();
   const std::vector<Page> pages = neededPages(asset, visible, eye);
   std::vector<PageSlot> table(asset.streamMasks.size(), PageSlot{});
   poolBytes = std::min(poolBytes, device.limits().maxStorageBufferRange);
   const auto used = placePages(asset, pages, poolBytes / sizeof(PackedBox), table);
-  requireFit(device, source, used, poolBytes);
-  const auto pools = readPages(source, pages, table, used, threads);
+  requireFit(device, reader, used, poolBytes);
+  const auto pools = readPages(reader, pages, table, used, threads);
   for (const auto& [stream, tile] : pages) {
     const PageSlot& slot = table[stream * asset.tiles.size() + tile];
     if (!isEmission(pools[slot.pool][slot.firstBox])) continue;

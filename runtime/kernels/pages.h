@@ -4,21 +4,10 @@
 #include <span>
 
 #include "common/asset/asset_reader.h"
-#include "common/light/relight.h"
 #include "runtime/kernels/visibility.h"
 #include "runtime/vulkan/pipeline.h"
 
 namespace boxlight::gpu {
-
-/// An asset and where its pages are: in a file, or in memory. Both outlive what is made from this.
-struct AssetSource {
-  AssetSource(const asset::AssetReader& reader);  // NOLINT: every reader is a source
-  AssetSource(const asset::Asset& asset, PageProvider page, std::string name);
-
-  const asset::Asset& asset;
-  PageProvider page;  ///< safe to call from several threads
-  std::string name;   ///< for messages
-};
 
 /// The pages of an asset that a camera needs, in one to kMaxBoxPools storage buffers, and the table that
 /// finds them.
@@ -28,7 +17,7 @@ class ResidentPages {
   /// views nearest to the eye; reads and decodes those pages with `threads` threads (0 = all). A pool is no
   /// larger than `poolBytes`, nor than the device allows. Errors: those of AssetReader::page;
   /// ExitCode::runtime if kMaxBoxPools pools do not hold the pages.
-  ResidentPages(Device& device, Bindings& bindings, const AssetSource& source,
+  ResidentPages(Device& device, Bindings& bindings, const asset::AssetReader& reader,
                 std::span<const VisibleRecord> visible, vec3 eye, uint64_t poolBytes, int threads);
 
   uint32_t poolCount() const { return uint32_t(pools_.size()); }  ///< at least 1

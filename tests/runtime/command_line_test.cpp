@@ -68,6 +68,25 @@ TEST_F(CommandLineTest, WritesPictureAndStats) {
   EXPECT_EQ(json["gpu"]["passes"].size(), 7u);
 }
 
+TEST_F(CommandLineTest, LayersAreCountedAndTheirLimitIsHeard) {
+  Square square;
+  square.material.baseColor[3] = 0.5f;
+  square.material.flags = asset::kAlphaBlend;
+  square.extensions.resize(1);
+  asset::Asset asset = square.makeAsset();
+  asset.triangles.insert(asset.triangles.end(), asset.triangles.begin(), asset.triangles.begin() + 2);
+  writeSynthetic(asset_, asset, [](uint32_t, uint32_t, uint32_t) { return packBox({0, 0, 1, 1, Rgb(1)}); });
+  const auto stats = folder_ / "stats.json";
+  ASSERT_EQ(run(usual("picture.exr") + "--stats " + stats.string()), 0) << err_;
+  EXPECT_EQ(nlohmann::json::parse(contents(stats))["layers"], 2);
+  EXPECT_EQ(nlohmann::json::parse(contents(stats))["samples_with_cut_layers"], 0);
+  ASSERT_EQ(run(usual("picture.exr") + "--layers 1 --stats " + stats.string()), 0) << err_;
+  EXPECT_EQ(nlohmann::json::parse(contents(stats))["layers"], 1);
+  EXPECT_GT(nlohmann::json::parse(contents(stats))["samples_with_cut_layers"], 0);
+  EXPECT_NE(err_.find("--layers"), std::string::npos);
+  EXPECT_EQ(run(usual("picture.exr") + "--layers 0"), 1);
+}
+
 TEST_F(CommandLineTest, SameSettingsSameBytes) {
   ASSERT_EQ(run(usual("a.exr") + "-t 1"), 0) << err_;
   ASSERT_EQ(run(usual("b.exr") + "-t 2"), 0) << err_;

@@ -192,6 +192,60 @@ TEST_F(OracleTest, KernelsThatAreNotThere) {
   EXPECT_EQ(compare(reader, environmentWithSun(1.0f)), 16u * 16u);
 }
 
+/// Slot 0 emits: nothing, little, or more than a half float holds; the boxes follow.
+PackedBox emittingKernel(uint32_t stream, uint32_t record, uint32_t slot) {
+  if (slot > 0) return packBox(matchedBox(stream, record, slot));
+  std::mt19937 random(stream * 31u + record * 65537u);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  const float scale = record % 3 == 0 ? 0.0f : record % 3 == 1 ? 1.0f : 1e6f;
+  return packEmission(scale * Rgb(uniform(random), uniform(random), uniform(random)));
+}
+
+TEST_F(OracleTest, EmittedRadianceDoesNotDependOnTheLight) {
+  Square square;
+  square.atlasEdge = 20;
+  square.glossyBoxes = 4;
+  square.diffuseBoxes = 3;
+  const auto reader = writeSynthetic(file("emit.ptb"), square.makeAsset(), emittingKernel);
+  settings_.camera.eye = {0.3f, 1.5f, 0.7f};
+  settings_.camera.tanHalfFov = 1.5f;
+  for (const Interpolation interpolation : {Interpolation::energy, Interpolation::weight}) {
+    settings_.interpolation = interpolation;
+    EXPECT_EQ(compare(reader, environmentWithSun(100.0f)), 20u * 20u);
+  }
+  settings_.boxLimit = 1;  // of the light; the emitted slot is always taken
+  EXPECT_EQ(compare(reader, environmentWithSun(100.0f)), 20u * 20u);
+  const Image dark = constantEnvironment({64, 32}, Rgb(0));
+  gpu::FrameRenderer renderer(*device_, reader, dark, settings_);
+  EXPECT_EQ(renderer.counts().boxes, 20u * 20u * 2);
+  const auto shaded = renderer.readShaded();
+  for (uint32_t r = 0; r < 400; ++r) {
+    const Rgb emitted = unpackEmission(emittingKernel(reader.asset().diffuseStream(), r, 0));
+    for (int c = 0; c < 3; ++c) ASSERT_FLOAT_EQ(shaded[2 * r][c], emitted[c]) << r;
+  }
+}
+
+TEST_F(OracleTest, EmittedRadianceOfOneKindOfStreamAlone) {
+  Square square;
+  square.atlasEdge = 8;
+  square.glossyBoxes = 2;
+  const asset::Asset asset = square.makeAsset();
+  const auto kernel = [&](uint32_t stream, uint32_t record, uint32_t slot) {
+    return stream == asset.diffuseStream() ? packBox(matchedBox(stream, record, slot))
+           : slot == 0                     ? packEmission(Rgb(3, 2, 0.5f))
+                                           : packBox(matchedBox(stream, record, slot));
+  };
+  const auto reader = writeSynthetic(file("gloss.ptb"), asset, kernel);
+  EXPECT_EQ(compare(reader, environmentWithSun(1.0f)), 64u);
+  gpu::FrameRenderer renderer(*device_, reader, constantEnvironment({64, 32}, Rgb(0)), settings_);
+  EXPECT_EQ(renderer.counts().boxes, 64u * 2);
+  const auto shaded = renderer.readShaded();
+  for (const auto& [r, glossy] : renderer.readVisible()) {
+    EXPECT_EQ(shaded[2 * r], vec4(0));
+    EXPECT_NEAR(shaded[2 * r + 1].x, 3.0f, 1e-5f);  // whatever the view
+  }
+}
+
 TEST_F(OracleTest, ConstantLightIsExactWhateverTheBox) {
   Square square;
   square.atlasEdge = 48;

@@ -52,6 +52,19 @@ void addTiles(asset::Asset& asset, uint32_t glossyBoxes, uint32_t diffuseBoxes) 
     }
 }
 
+void addCells(asset::Asset& asset, uint32_t edge) {
+  for (uint32_t cell = 0; cell < edge * edge; ++cell) {
+    const float size = 2.0f / float(edge), x = -1 + size * float(cell % edge),
+                z = -1 + size * float(cell / edge);
+    const auto first = uint32_t(asset.vertices.size());
+    for (const auto& vertex :
+         {corner(x, z), corner(x + size, z), corner(x + size, z + size), corner(x, z + size)})
+      asset.vertices.push_back(vertex);
+    asset.triangles.push_back({{first, first + 2, first + 1}, cell});
+    asset.triangles.push_back({{first, first + 3, first + 2}, cell});
+  }
+}
+
 }  // namespace
 
 Square::Square() {
@@ -67,9 +80,10 @@ asset::Asset Square::makeAsset() const {
   asset.info.viewCount = 10 * viewFrequency * viewFrequency + 2;
   asset.info.boundsMin[0] = asset.info.boundsMin[2] = -1;
   asset.info.boundsMax[0] = asset.info.boundsMax[2] = 1;
-  asset.vertices = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)};
-  asset.triangles = {{{0, 2, 1}, 0}, {{0, 3, 2}, 0}};
-  asset.materials = {material};
+  addCells(asset, cellEdge);
+  asset.materials = cells.empty() ? std::vector{material} : cells;
+  asset.materialExtensions = extensions;
+  asset.textureTransforms = transforms;
   asset.textures = textures;
   asset.texels = texels;
   const uint32_t count = atlasEdge * atlasEdge;
@@ -82,14 +96,20 @@ asset::Asset Square::makeAsset() const {
 }
 
 asset::AssetReader Square::write(const std::filesystem::path& path, const KernelSource& kernel) const {
-  const asset::Asset asset = makeAsset();
+  return writeSynthetic(path, makeAsset(), [&](uint32_t stream, uint32_t record, uint32_t slot) {
+    return packBox(kernel(stream, record, slot));
+  });
+}
+
+asset::AssetReader writeSynthetic(const std::filesystem::path& path, const asset::Asset& asset,
+                                  const PackedSource& kernel) {
   std::vector<PackedBox> page;
   asset::writeAsset(path, asset, [&](uint32_t stream, uint32_t t) -> std::span<const PackedBox> {
     page.clear();
     const asset::Tile& tile = asset.tiles[t];
     for (uint32_t slot = 0; slot < tile.recordCount; ++slot)
       for (uint32_t j = 0; (asset.mask(stream, t) >> slot & 1) && j < asset.boxesPerKernel(stream, t); ++j)
-        page.push_back(packBox(kernel(stream, tile.firstRecord + slot, j)));
+        page.push_back(kernel(stream, tile.firstRecord + slot, j));
     return page;
   });
   return asset::AssetReader(path);

@@ -15,6 +15,13 @@ namespace boxlight {
 /// A box of one kernel: stream, record, slot.
 using KernelSource = std::function<Box(uint32_t, uint32_t, uint32_t)>;
 
+/// The same, for slots that are no boxes.
+using PackedSource = std::function<PackedBox(uint32_t, uint32_t, uint32_t)>;
+
+/// Written by the shipped writer and opened by the shipped reader.
+asset::AssetReader writeSynthetic(const std::filesystem::path& path, const asset::Asset& asset,
+                                  const PackedSource& kernel);
+
 /// The square [-1,1]^2 of the plane y = 0, front up, whose atlas covers it once: atlas texel (i, j) is the
 /// part around x = (2 i + 1) / n - 1, z = (2 j + 1) / n - 1. Records are the front of every texel row by row,
 /// then, if `twoSided`, the back.
@@ -24,12 +31,17 @@ struct Square {
   uint32_t diffuseBoxes = 1, glossyBoxes = 0;
   uint32_t viewFrequency = 3;
   asset::Material material;  ///< Lambert with factor 1 (specular 0) unless changed
+  /// If not empty, the square is cut into cellEdge^2 cells, row by row of z, with these in place of
+  /// `material`.
+  std::vector<asset::Material> cells;
+  uint32_t cellEdge = 1;
+  std::vector<asset::MaterialExtension> extensions;
+  std::vector<asset::TextureTransform> transforms;
   std::vector<asset::Texture> textures;
   std::vector<uint32_t> texels;
 
   Square();
   asset::Asset makeAsset() const;
-  /// Written by the shipped writer and opened by the shipped reader.
   asset::AssetReader write(const std::filesystem::path& path, const KernelSource& kernel) const;
 };
 

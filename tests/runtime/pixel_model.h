@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/asset/asset.h"
+#include "common/base/math.h"
+
+namespace boxlight {
+
+/// docs/theory.md, section 7, written down once more, in double precision and for values without textures.
+struct PixelFactors {
+  dvec3 diffuse{0.0}, transmitted{0.0}, glossy{0.0}, emission{0.0};
+};
+
+/// `nDotV`, `coatNDotV`: of the shading normal and of the coat's normal, on the seen side.
+PixelFactors pixelFactors(const asset::Material& material, const asset::MaterialExtension& extension,
+                          double nDotV, double coatNDotV);
+
+}  // namespace boxlight
