@@ -4,6 +4,7 @@
 
 #include "material_extension.glsl"
 #include "surface.glsl"
+#include "thin_film.glsl"
 
 /// What a pixel multiplies the demodulated radiance with, of the seen side and of the other one, and what it adds.
 struct Reflectance {
@@ -14,6 +15,18 @@ struct Reflectance {
 float dielectricReflectance(float ior) {
   float root = ior == 0.0 ? 1.0 : (ior - 1.0) / (ior + 1.0);
   return root * root;
+}
+
+/// KHR_materials_iridescence: the F0 that stand in for the film's reflectance at this cosine (fresnel.cpp in the bake).
+void coverWithFilm(inout Surface surface, MaterialExtension extension, SurfacePoint point, float nDotV) {
+  float film = extension.iridescence * sampleIfTextured(extension.iridescenceTexture, point, vec4(1.0)).r;
+  float thickness = mix(extension.iridescenceThickness[0], extension.iridescenceThickness[1],
+                        sampleIfTextured(extension.iridescenceThicknessTexture, point, vec4(1.0)).g);
+  if (film <= 0.0 || thickness <= 0.0) return;
+  vec3 dielectric = thinFilmReflectance(nDotV, extension.iridescenceIor, thickness, surface.dielectricF0);
+  vec3 conductor = thinFilmReflectance(nDotV, extension.iridescenceIor, thickness, surface.conductorF0);
+  surface.dielectricF0 = mix(surface.dielectricF0, schlickF0(dielectric, nDotV), film);
+  surface.conductorF0 = mix(surface.conductorF0, schlickF0(conductor, nDotV), film);
 }
 
 /// KHR_materials_anisotropy's strength.
@@ -36,7 +49,7 @@ vec3 multipleScattering(BaseLayer base) {
 
 /// KHR_materials_transmission: what the GGX lobe sends through.
 vec3 transmittedLobe(Surface surface, BaseLayer base, float transmission) {
-  float through = base.albedo.x * (1.0 - surface.specular * strongest(surface.dielectricF0)) +
+  float through = base.albedo.x * (1.0 - strongest(surface.dielectricF0)) +
                   base.albedo.y * (1.0 - surface.specular);
   return transmission * (1.0 - surface.metallic) * surface.baseColor * through;
 }

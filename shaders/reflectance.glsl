@@ -13,7 +13,9 @@ Reflectance reflectance(uint index, SurfacePoint point, bool front, vec3 toEye) 
   float side = front ? 1.0 : -1.0;
   float nDotV = max(dot(mappedNormal(material.normalTexture, material.normalScale, point), toEye) * side, kMinimumCosine);
   if (kExtended) {
-    surface.dielectricF0 = min(dielectricReflectance(materialExtensions[index].ior) * surface.specularColor, vec3(1.0));
+    surface.dielectricF0 =
+        surface.specular * min(dielectricReflectance(materialExtensions[index].ior) * surface.specularColor, vec3(1.0));
+    if (kFilm) coverWithFilm(surface, materialExtensions[index], point, nDotV);
     surface.roughness = isotropicRoughness(surface.roughness, sampleAnisotropy(materialExtensions[index], point));
   }
   BaseLayer base = baseLayer(surface, nDotV);

@@ -61,8 +61,9 @@ SHARED_CONSTANT kConstantExtended = 6;     // any asset::MaterialExtension
 SHARED_CONSTANT kConstantClearcoat = 7;    // any material with a coat
 SHARED_CONSTANT kConstantSheen = 8;        // ... with sheen
 SHARED_CONSTANT kConstantOtherSide = 9;    // ... with diffuse transmission
-SHARED_CONSTANT kConstantLayers = 10;      // blended layers at most, 0 without asset::kAlphaBlend
-SHARED_CONSTANT kSurfaceConstants = 11;
+SHARED_CONSTANT kConstantFilm = 10;        // ... with iridescence
+SHARED_CONSTANT kConstantLayers = 11;      // blended layers at most, 0 without asset::kAlphaBlend
+SHARED_CONSTANT kSurfaceConstants = 12;
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
 // Fresnel factor [n.v], the linear values of the 256 sRGB codes, and, where anything has a sheen, its

@@ -34,7 +34,7 @@ struct Surface {
   vec3 baseColor;
   float metallic, roughness, specular;
   vec3 specularColor;
-  vec3 dielectricF0;  // D0: not yet times specular
+  vec3 dielectricF0, conductorF0;  // reflectances at normal incidence of the two that metallic mixes
 };
 
 Surface sampleSurface(Material material, SurfacePoint point) {
@@ -47,16 +47,12 @@ Surface sampleSurface(Material material, SurfacePoint point) {
   surface.specular = material.specular * sampleIfTextured(material.specularTexture, point, vec4(1.0)).a;
   surface.specularColor = vec3(material.specularColor[0], material.specularColor[1], material.specularColor[2]) *
                           sampleIfTextured(material.specularColorTexture, point, vec4(1.0)).rgb;
-  surface.dielectricF0 = min(0.04 * surface.specularColor, vec3(1.0));
+  surface.dielectricF0 = surface.specular * min(0.04 * surface.specularColor, vec3(1.0));
+  surface.conductorF0 = surface.baseColor;
   return surface;
 }
 
 float strongest(vec3 v) { return max(v.r, max(v.g, v.b)); }
-
-/// Reflectance at normal incidence, F0. Thin-film interference belongs here: it changes nothing else.
-vec3 normalReflectance(Surface surface) {
-  return mix(surface.dielectricF0 * surface.specular, surface.baseColor, surface.metallic);
-}
 
 /// The core's part of the pixel.
 struct BaseLayer {
@@ -70,8 +66,8 @@ BaseLayer baseLayer(Surface surface, float nDotV) {
   float dielectric = strongest(surface.dielectricF0);
   BaseLayer base;
   base.scattered = (1.0 - surface.metallic) *
-                   (1.0 - surface.specular * (dielectric + (1.0 - dielectric) * diffuseFresnel(nDotV)));
-  base.f0 = normalReflectance(surface);
+                   (1.0 - mix(dielectric, surface.specular, diffuseFresnel(nDotV)));
+  base.f0 = mix(surface.dielectricF0, surface.conductorF0, surface.metallic);
   base.albedo = specularAlbedo(surface.roughness, nDotV);
   base.reflected = base.f0 * base.albedo.x + mix(surface.specular, 1.0, surface.metallic) * base.albedo.y;
   return base;

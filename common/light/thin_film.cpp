@@ -40,7 +40,8 @@ Rgb thinFilmReflectance(float cosine, float filmIor, float thickness, Rgb baseF0
   const float sine2 = (1.0f - cosine * cosine) / (ior * ior);
   const float inside = std::sqrt(std::max(0.0f, 1.0f - sine2));  // cosine in the film, at least that outside
   const float outer = schlick(normalReflectance(ior, 1.0f), cosine), passed = 1.0f - outer;
-  Rgb base(0.0f), shift(0.0f);  // reflectance of the film's lower boundary; the phase that both reflections add
+  Rgb base(0.0f),
+      shift(0.0f);  // reflectance of the film's lower boundary; the phase that both reflections add
   for (int c = 0; c < 3; ++c) {
     const float root = std::sqrt(std::clamp(baseF0[c], 0.0f, 0.9999f)),
                 baseIor = (1.0f + root) / (1.0f - root);

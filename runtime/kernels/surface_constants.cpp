@@ -51,6 +51,7 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, bool background, ui
   constants[kConstantSheen] = hasSheen(asset);
   constants[kConstantOtherSide] =
       anyExtension(asset, [](const Extension& e) { return e.diffuseTransmission > 0.0f; });
+  constants[kConstantFilm] = anyExtension(asset, [](const Extension& e) { return e.iridescence > 0.0f; });
   constants[kConstantLayers] = layers;
   return constants;
 }

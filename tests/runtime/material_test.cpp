@@ -54,6 +54,7 @@ void everything(asset::Material& m, asset::MaterialExtension& x) {
   x.ior = 1.8f, x.anisotropy = 0.6f, x.clearcoat = 0.7f, x.clearcoatRoughness = 0.3f;
   x.sheenColor[0] = 0.9f, x.sheenColor[2] = 0.3f, x.sheenRoughness = 0.5f;
   x.transmission = 0.4f, x.diffuseTransmission = 0.5f, x.diffuseTransmissionColor[1] = 0.5f;
+  x.iridescence = 0.6f;
   x.emissive[0] = 2.0f, x.emissive[2] = 0.25f;
 }
 
@@ -107,6 +108,10 @@ std::vector<Case> makeCases() {
       with([](Material& m, Extension& x) { m.flags |= asset::kUnlit, x.diffuseTransmission = 0.5f; }),
       with([](Material& m, Extension&) {
         m.metallic = 1, m.roughness = 0.9f, m.flags |= asset::kMultipleScattering;
+      }),
+      with([](Material&, Extension& x) { x.iridescence = 1, x.iridescenceThickness[1] = 350; }),
+      with([](Material& m, Extension& x) {
+        m.metallic = 0.6f, x.iridescence = 0.7f, x.iridescenceIor = 1.8f, x.iridescenceThickness[1] = 500;
       }),
       with(everything),
       texturedCase(),

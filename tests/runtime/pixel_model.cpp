@@ -5,6 +5,7 @@
 
 #include "common/light/directional_albedo.h"
 #include "common/light/sheen.h"
+#include "common/light/thin_film.h"
 
 namespace boxlight {
 namespace {
@@ -16,6 +17,12 @@ double effectiveRoughness(const asset::Material& m, const asset::MaterialExtensi
   const double alpha = double(m.roughness) * m.roughness, strength = x.anisotropy;
   const double alongTangent = alpha + (1.0 - alpha) * strength * strength;
   return strength > 0.0 ? std::pow(alongTangent * alpha, 0.25) : double(m.roughness);
+}
+
+dvec3 underFilm(const asset::MaterialExtension& x, double nDotV, dvec3 bare) {
+  if (x.iridescence == 0.0f) return bare;
+  const Rgb film = thinFilmReflectance(float(nDotV), x.iridescenceIor, x.iridescenceThickness[1], Rgb(bare));
+  return glm::mix(bare, dvec3(schlickF0(film, float(nDotV))), double(x.iridescence));
 }
 
 }  // namespace
@@ -30,16 +37,17 @@ PixelFactors pixelFactors(const asset::Material& m, const asset::MaterialExtensi
   }
   const double specular = m.specular, metallic = m.metallic, ior = x.ior;
   const double d0 = ior == 0.0 ? 1.0 : std::pow((ior - 1.0) / (ior + 1.0), 2);
-  const dvec3 dielectric = glm::min(d0 * toDvec3(m.specularColor), dvec3(1.0));
-  const dvec3 f0 = glm::mix(specular * dielectric, baseColor, metallic);
+  const dvec3 dielectric =
+      underFilm(x, nDotV, specular * glm::min(d0 * toDvec3(m.specularColor), dvec3(1.0)));
+  const dvec3 f0 = glm::mix(dielectric, underFilm(x, nDotV, baseColor), metallic);
   const double f90 = glm::mix(specular, 1.0, metallic), strongest = largest(dielectric);
   const glm::dvec2 ab = albedoTable().specular(float(effectiveRoughness(m, x)), float(nDotV));
   dvec3 reflected = f0 * ab.x + f90 * ab.y;
   if (m.flags & asset::kMultipleScattering) reflected *= 1.0 + f0 * (1.0 / (ab.x + ab.y) - 1.0);
-  const dvec3 through = x.transmission * (1.0 - metallic) * baseColor *
-                        (ab.x * (1.0 - specular * strongest) + ab.y * (1.0 - specular));
+  const dvec3 through =
+      x.transmission * (1.0 - metallic) * baseColor * (ab.x * (1.0 - strongest) + ab.y * (1.0 - specular));
   const double s = albedoTable().diffuseFresnel(float(nDotV));
-  const double kd = 1.0 - specular * (strongest + (1.0 - strongest) * s);
+  const double kd = 1.0 - (strongest + (specular - strongest) * s);
   const dvec3 sheenColor = toDvec3(x.sheenColor);
   const double sheenAlbedo = sheen::albedo(x.sheenRoughness, float(nDotV));
   const double underSheen = 1.0 - largest(sheenColor) * sheenAlbedo;
