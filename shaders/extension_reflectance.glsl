@@ -11,6 +11,28 @@ struct Reflectance {
   vec3 diffuse, transmitted, glossy, emission;
 };
 
+/// The textures of a MaterialExtension at a point, by their places in it; white where there is none.
+struct ExtensionTextures {
+  vec4 value[12];
+  bool coatNormal;  // is there one?
+};
+
+/// One loop over those that there are: filtering is much code, which compilers would repeat for each texture.
+ExtensionTextures sampleExtension(uint index, SurfacePoint point) {
+  ExtensionTextures textures;
+  uint pending = 0;
+  for (uint i = 0; i < 12; ++i) {
+    textures.value[i] = vec4(1.0);
+    if (kTextured && materialExtensions[index].textures[i].texture != kAbsent) pending |= 1u << i;
+  }
+  textures.coatNormal = (pending >> kClearcoatNormalTexture & 1) != 0;
+  for (; kTextured && pending != 0; pending &= pending - 1) {
+    uint i = findLSB(pending);
+    textures.value[i] = sampleRef(materialExtensions[index].textures[i], point, vec4(1.0));
+  }
+  return textures;
+}
+
 /// KHR_materials_ior; 0 stands for an infinite index.
 float dielectricReflectance(float ior) {
   float root = ior == 0.0 ? 1.0 : (ior - 1.0) / (ior + 1.0);
@@ -18,10 +40,10 @@ float dielectricReflectance(float ior) {
 }
 
 /// KHR_materials_iridescence: the F0 that stand in for the film's reflectance at this cosine (fresnel.cpp in the bake).
-void coverWithFilm(inout Surface surface, MaterialExtension extension, SurfacePoint point, float nDotV) {
-  float film = extension.iridescence * sampleIfTextured(extension.iridescenceTexture, point, vec4(1.0)).r;
+void coverWithFilm(inout Surface surface, MaterialExtension extension, ExtensionTextures textures, float nDotV) {
+  float film = extension.iridescence * textures.value[kIridescenceTexture].r;
   float thickness = mix(extension.iridescenceThickness[0], extension.iridescenceThickness[1],
-                        sampleIfTextured(extension.iridescenceThicknessTexture, point, vec4(1.0)).g);
+                        textures.value[kIridescenceThicknessTexture].g);
   if (film <= 0.0 || thickness <= 0.0) return;
   vec3 dielectric = thinFilmReflectance(nDotV, extension.iridescenceIor, thickness, surface.dielectricF0);
   vec3 conductor = thinFilmReflectance(nDotV, extension.iridescenceIor, thickness, surface.conductorF0);
@@ -30,8 +52,8 @@ void coverWithFilm(inout Surface surface, MaterialExtension extension, SurfacePo
 }
 
 /// KHR_materials_anisotropy's strength.
-float sampleAnisotropy(MaterialExtension extension, SurfacePoint point) {
-  return extension.anisotropy * sampleIfTextured(extension.anisotropyTexture, point, vec4(1.0)).b;
+float sampleAnisotropy(MaterialExtension extension, ExtensionTextures textures) {
+  return extension.anisotropy * textures.value[kAnisotropyTexture].b;
 }
 
 /// The roughness whose alpha is the geometric mean of those along the tangent and the bitangent.
@@ -60,10 +82,10 @@ struct SheenLayer {
   float passed;
 };
 
-SheenLayer sheenLayer(MaterialExtension extension, SurfacePoint point, float nDotV) {
+SheenLayer sheenLayer(MaterialExtension extension, ExtensionTextures textures, float nDotV) {
   if (!kSheen) return SheenLayer(vec3(0.0), 1.0);
-  vec3 color = toVec3(extension.sheenColor) * sampleIfTextured(extension.sheenColorTexture, point, vec4(1.0)).rgb;
-  float roughness = extension.sheenRoughness * sampleIfTextured(extension.sheenRoughnessTexture, point, vec4(1.0)).a;
+  vec3 color = toVec3(extension.sheenColor) * textures.value[kSheenColorTexture].rgb;
+  float roughness = extension.sheenRoughness * textures.value[kSheenRoughnessTexture].a;
   float albedo = strongest(color) > 0.0 ? sheenAlbedo(roughness, nDotV) : 0.0;
   return SheenLayer(color * albedo, 1.0 - strongest(color) * albedo);
 }
@@ -73,45 +95,49 @@ struct CoatLayer {
   float weight, albedo;
 };
 
-CoatLayer coatLayer(MaterialExtension extension, SurfacePoint point, bool front, vec3 toEye) {
+CoatLayer coatLayer(MaterialExtension extension, ExtensionTextures textures, SurfacePoint point, bool front, vec3 toEye) {
   if (!kClearcoat) return CoatLayer(0.0, 0.0);
-  float clearcoat = extension.clearcoat * sampleIfTextured(extension.clearcoatTexture, point, vec4(1.0)).r;
-  float roughness = extension.clearcoatRoughness * sampleIfTextured(extension.clearcoatRoughnessTexture, point, vec4(1.0)).g;
-  vec3 normal = mappedNormal(extension.clearcoatNormalTexture, extension.clearcoatNormalScale, point);
+  float clearcoat = extension.clearcoat * textures.value[kClearcoatTexture].r;
+  float roughness = extension.clearcoatRoughness * textures.value[kClearcoatRoughnessTexture].g;
+  vec3 normal = textures.coatNormal
+                    ? bentNormal(textures.value[kClearcoatNormalTexture].xyz, extension.clearcoatNormalScale, point)
+                    : interpolatedNormal(point);
   float nDotV = max(dot(normal, toEye) * (front ? 1.0 : -1.0), kMinimumCosine);
   float grazing = 1.0 - nDotV, squared = grazing * grazing;
   vec2 albedo = specularAlbedo(roughness, nDotV);
   return CoatLayer(clearcoat * (0.04 + 0.96 * squared * squared * grazing), albedo.x + albedo.y);
 }
 
-vec3 emittedRadiance(MaterialExtension extension, SurfacePoint point) {
-  return toVec3(extension.emissive) * sampleIfTextured(extension.emissiveTexture, point, vec4(1.0)).rgb;
+vec3 emittedRadiance(MaterialExtension extension, ExtensionTextures textures) {
+  return toVec3(extension.emissive) * textures.value[kEmissiveTexture].rgb;
 }
 
 /// Of the light that is scattered diffusely, what leaves where it came from and what leaves on the other side.
-void splitDiffuse(MaterialExtension extension, SurfacePoint point, vec3 baseColor, float scattered, inout Reflectance result) {
+void splitDiffuse(MaterialExtension extension, ExtensionTextures textures, vec3 baseColor, float scattered,
+                  inout Reflectance result) {
   result.diffuse = scattered * baseColor;
   result.transmitted = vec3(0.0);
   if (!kOtherSide) return;
-  float through = extension.diffuseTransmission * sampleIfTextured(extension.diffuseTransmissionTexture, point, vec4(1.0)).a;
+  float through = extension.diffuseTransmission * textures.value[kDiffuseTransmissionTexture].a;
   vec3 color = toVec3(extension.diffuseTransmissionColor) *
-               sampleIfTextured(extension.diffuseTransmissionColorTexture, point, vec4(1.0)).rgb;
+               textures.value[kDiffuseTransmissionColorTexture].rgb;
   result.diffuse *= 1.0 - through;
   result.transmitted = scattered * through * color;
 }
 
-Reflectance extendBase(Surface surface, BaseLayer base, uint index, SurfacePoint point, bool front, vec3 toEye, float nDotV) {
+Reflectance extendBase(Surface surface, BaseLayer base, uint index, ExtensionTextures textures, SurfacePoint point, bool front,
+                       vec3 toEye, float nDotV) {
   MaterialExtension extension = materialExtensions[index];
-  float transmission = extension.transmission * sampleIfTextured(extension.transmissionTexture, point, vec4(1.0)).r;
-  SheenLayer sheen = sheenLayer(extension, point, nDotV);
-  CoatLayer coat = coatLayer(extension, point, front, toEye);
+  float transmission = extension.transmission * textures.value[kTransmissionTexture].r;
+  SheenLayer sheen = sheenLayer(extension, textures, nDotV);
+  CoatLayer coat = coatLayer(extension, textures, point, front, toEye);
   float below = 1.0 - coat.weight;
   if ((materials[index].flags & kMultipleScattering) != 0) base.reflected *= multipleScattering(base);
   Reflectance result;
-  splitDiffuse(extension, point, surface.baseColor, below * sheen.passed * base.scattered * (1.0 - transmission), result);
+  splitDiffuse(extension, textures, surface.baseColor, below * sheen.passed * base.scattered * (1.0 - transmission), result);
   result.glossy = below * (sheen.passed * (base.reflected + transmittedLobe(surface, base, transmission)) + sheen.reflected) +
                   coat.weight * coat.albedo;
-  result.emission = below * emittedRadiance(extension, point);
+  result.emission = below * emittedRadiance(extension, textures);
   return result;
 }
 

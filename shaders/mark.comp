@@ -30,12 +30,12 @@ void markTriangle(uint index, vec2 position) {
 }
 
 void markFragment(uvec2 pixel, Fragment fragment) {
-  for (uint layer = 0; layer < layerCount(); ++layer) {
-    uint triangle = loadLayer(layer, sampleIndex(pixel, fragment.first)).x;
-    if (triangle == 0) break;
-    markTriangle(triangle - 1, fragment.position);
+  for (uint layer = 0; layer <= kLayers; ++layer) {
+    bool last = layer >= layerCount();
+    uint triangle = last ? fragment.triangle : loadLayer(layer, sampleIndex(pixel, fragment.first)).x;
+    if (triangle != 0) markTriangle(triangle - 1, fragment.position);
+    if (last) break;
   }
-  if (fragment.triangle != 0) markTriangle(fragment.triangle - 1, fragment.position);
 }
 
 void main() {

@@ -23,11 +23,14 @@ struct MaterialExtension {
   float iridescence, iridescenceIor, iridescenceThickness[2];
   float emissive[3];
   float absorption[3], scattering[3], scatterAnisotropy;
-  TextureRef anisotropyTexture, clearcoatTexture, clearcoatRoughnessTexture, clearcoatNormalTexture;
-  TextureRef sheenColorTexture, sheenRoughnessTexture, transmissionTexture;
-  TextureRef diffuseTransmissionTexture, diffuseTransmissionColorTexture;
-  TextureRef iridescenceTexture, iridescenceThicknessTexture, emissiveTexture;
+  TextureRef textures[12];
 };
+
+// MaterialExtension::textures.
+const uint kAnisotropyTexture = 0, kClearcoatTexture = 1, kClearcoatRoughnessTexture = 2, kClearcoatNormalTexture = 3,
+           kSheenColorTexture = 4, kSheenRoughnessTexture = 5, kTransmissionTexture = 6, kDiffuseTransmissionTexture = 7,
+           kDiffuseTransmissionColorTexture = 8, kIridescenceTexture = 9, kIridescenceThicknessTexture = 10,
+           kEmissiveTexture = 11;
 
 layout(std430, binding = kBindMaterialExtensions) readonly buffer MaterialExtensions { MaterialExtension materialExtensions[]; };
 

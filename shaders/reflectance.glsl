@@ -8,19 +8,21 @@
 /// directional_albedo.h the means that they take.
 Reflectance reflectance(uint index, SurfacePoint point, bool front, vec3 toEye) {
   Material material = materials[index];
+  ExtensionTextures textures;
+  if (kExtended) textures = sampleExtension(index, point);
   Surface surface = sampleSurface(material, point);
   if (kExtended && (material.flags & kUnlit) != 0) return Reflectance(vec3(0.0), vec3(0.0), vec3(0.0), surface.baseColor);
   float side = front ? 1.0 : -1.0;
-  float nDotV = max(dot(mappedNormal(material.normalTexture, material.normalScale, point), toEye) * side, kMinimumCosine);
+  float nDotV = max(dot(shadingNormal(material, point), toEye) * side, kMinimumCosine);
   if (kExtended) {
     surface.dielectricF0 =
         surface.specular * min(dielectricReflectance(materialExtensions[index].ior) * surface.specularColor, vec3(1.0));
-    if (kFilm) coverWithFilm(surface, materialExtensions[index], point, nDotV);
-    surface.roughness = isotropicRoughness(surface.roughness, sampleAnisotropy(materialExtensions[index], point));
+    if (kFilm) coverWithFilm(surface, materialExtensions[index], textures, nDotV);
+    surface.roughness = isotropicRoughness(surface.roughness, sampleAnisotropy(materialExtensions[index], textures));
   }
   BaseLayer base = baseLayer(surface, nDotV);
   if (!kExtended) return Reflectance(surface.baseColor * base.scattered, vec3(0.0), base.reflected, vec3(0.0));
-  return extendBase(surface, base, index, point, front, toEye, nDotV);
+  return extendBase(surface, base, index, textures, point, front, toEye, nDotV);
 }
 
 #endif

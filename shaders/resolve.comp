@@ -99,17 +99,22 @@ void layerWeights(uvec2 pixel, Fragment fragment, inout float weight[kWeights]) 
   }
 }
 
-/// Radiance and coverage, summed over the fragment's samples.
-vec4 layeredRadiance(uvec2 pixel, Fragment fragment, out float left) {
+/// Radiance and coverage, summed over the fragment's samples: the layers and, as the last of them, what lies behind.
+vec4 fragmentRadiance(uvec2 pixel, Fragment fragment) {
   float weight[kWeights];
-  layerWeights(pixel, fragment, weight);
+  weight[0] = float(fragment.samples);
+  if (kLayers > 0) layerWeights(pixel, fragment, weight);
   vec4 sum = vec4(0.0);
-  for (uint layer = 0; layer < layerCount(); ++layer) {
-    uint triangle = loadLayer(layer, sampleIndex(pixel, fragment.first)).x;
-    if (triangle == 0) break;
-    sum += weight[layer] * vec4(surfaceRadiance(triangle - 1, fragment.position), 1.0);
+  for (uint layer = 0; layer < kWeights; ++layer) {
+    bool last = layer >= layerCount();
+    uint triangle = last ? fragment.triangle : loadLayer(layer, sampleIndex(pixel, fragment.first)).x;
+    float share = weight[last ? kLayers : layer];
+    if (triangle != 0)
+      sum += share * vec4(surfaceRadiance(triangle - 1, fragment.position), 1.0);
+    else if (last && kBackground)
+      sum += share * vec4(backgroundRadiance(rayDirection(fragment.position)), 1.0);
+    if (last) break;
   }
-  left = weight[kLayers];
   return sum;
 }
 
@@ -120,12 +125,7 @@ void main() {
   uvec2 pending = allSamples();
   do {
     Fragment fragment = nextFragment(pixel, pending);
-    float left = float(fragment.samples);
-    if (kLayers > 0) sum += layeredRadiance(pixel, fragment, left);
-    if (fragment.triangle != 0)
-      sum += left * vec4(surfaceRadiance(fragment.triangle - 1, fragment.position), 1.0);
-    else if (kBackground)
-      sum += left * vec4(backgroundRadiance(rayDirection(fragment.position)), 1.0);
+    sum += fragmentRadiance(pixel, fragment);
   } while (pending != uvec2(0));
   picture[pixel.y * tile.size.x + pixel.x] = sum / float(frame.samples * frame.samples);
 }

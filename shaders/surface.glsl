@@ -14,19 +14,26 @@ vec4 sampleIfTextured(TextureRef ref, SurfacePoint point, vec4 absent) {
   return kTextured ? sampleRef(ref, point, absent) : absent;
 }
 
-/// The interpolated normal of the front side, bent by a normal map if there is one.
-vec3 mappedNormal(TextureRef ref, float scale, SurfacePoint point) {
-  vec3 normal = normalize(interpolate3(point.vertices, point.weight, kNormalAt));
-  if (!kTextured || ref.texture == kAbsent) return normal;
+/// The interpolated normal of the front side.
+vec3 interpolatedNormal(SurfacePoint point) { return normalize(interpolate3(point.vertices, point.weight, kNormalAt)); }
+
+/// The same, bent by the value of a normal map.
+vec3 bentNormal(vec3 texel, float scale, SurfacePoint point) {
+  vec3 normal = interpolatedNormal(point);
   vec4 stored = interpolate4(point.vertices, point.weight, kTangentAt);
   vec3 tangent = stored.xyz - dot(stored.xyz, normal) * normal;
   float size = length(tangent);
   if (size < 1e-6) return normal;
   tangent /= size;
   vec3 bitangent = (stored.w < 0.0 ? -1.0 : 1.0) * cross(normal, tangent);
-  vec3 mapped = 2.0 * sampleRef(ref, point, vec4(0.5, 0.5, 1.0, 1.0)).xyz - 1.0;
+  vec3 mapped = 2.0 * texel - 1.0;
   mapped.xy *= scale;
   return normalize(mapped.x * tangent + mapped.y * bitangent + mapped.z * normal);
+}
+
+vec3 shadingNormal(Material material, SurfacePoint point) {
+  if (!kTextured || material.normalTexture.texture == kAbsent) return interpolatedNormal(point);
+  return bentNormal(sampleRef(material.normalTexture, point, vec4(1.0)).xyz, material.normalScale, point);
 }
 
 /// The metallic-roughness core at a point, textures and vertex colours applied.
