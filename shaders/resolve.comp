@@ -99,22 +99,30 @@ void layerWeights(uvec2 pixel, Fragment fragment, inout float weight[kWeights]) 
   }
 }
 
-/// Radiance and coverage, summed over the fragment's samples: the layers and, as the last of them, what lies behind.
-vec4 fragmentRadiance(uvec2 pixel, Fragment fragment) {
+/// Radiance and coverage where a triangle, or with 0 the background, is seen.
+vec4 seenRadiance(uint triangle, vec2 position) {
+  vec4 seen = vec4(0.0);
+  if (triangle != 0)
+    seen = vec4(surfaceRadiance(triangle - 1, position), 1.0);
+  else if (kBackground)
+    seen = vec4(backgroundRadiance(rayDirection(position)), 1.0);
+  return seen;
+}
+
+/// The same, summed over the fragment's samples: of the layers and, last of all, of what lies behind them.
+vec4 layeredRadiance(uvec2 pixel, Fragment fragment) {
   float weight[kWeights];
-  weight[0] = float(fragment.samples);
-  if (kLayers > 0) layerWeights(pixel, fragment, weight);
+  layerWeights(pixel, fragment, weight);
   vec4 sum = vec4(0.0);
-  for (uint layer = 0; layer < kWeights; ++layer) {
-    bool last = layer >= layerCount();
-    uint triangle = last ? fragment.triangle : loadLayer(layer, sampleIndex(pixel, fragment.first)).x;
+  uint layer = 0;
+  bool last = false;
+  do {
+    uint triangle = layer < layerCount() ? loadLayer(layer, sampleIndex(pixel, fragment.first)).x : 0;
+    last = triangle == 0;
     float share = weight[last ? kLayers : layer];
-    if (triangle != 0)
-      sum += share * vec4(surfaceRadiance(triangle - 1, fragment.position), 1.0);
-    else if (last && kBackground)
-      sum += share * vec4(backgroundRadiance(rayDirection(fragment.position)), 1.0);
-    if (last) break;
-  }
+    if (share > 0.0) sum += share * seenRadiance(last ? fragment.triangle : triangle, fragment.position);
+    ++layer;
+  } while (!last);
   return sum;
 }
 
@@ -125,7 +133,13 @@ void main() {
   uvec2 pending = allSamples();
   do {
     Fragment fragment = nextFragment(pixel, pending);
-    sum += fragmentRadiance(pixel, fragment);
+    // Always true, but lavapipe 22.3 masks what is inside an `if` only: without one, threads that are through add once more.
+    if (fragment.samples > 0) {
+      if (kLayers > 0)
+        sum += layeredRadiance(pixel, fragment);
+      else
+        sum += float(fragment.samples) * seenRadiance(fragment.triangle, fragment.position);
+    }
   } while (pending != uvec2(0));
   picture[pixel.y * tile.size.x + pixel.x] = sum / float(frame.samples * frame.samples);
 }

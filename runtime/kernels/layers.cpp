@@ -31,7 +31,7 @@ LayerPass::LayerPass(Device& device, Bindings& bindings, const asset::Asset& ass
       triangles_(makeBuffer(device, "blended triangles", blendedTriangles(asset))),
       layers_(device, "blended layers", sizeof(LayerHeader) + area(tileSamples) * bytesPerSample(limit)),
       depths_(device, "depths of blended layers", area(tileSamples) * 2 * sizeof(float)),
-      target_(device, tileSamples, {.pairs = true, .copied = true}),
+      target_(device, tileSamples, {.pairs = true, .copiedDepth = true}),
       raster_(device, bindings, target_, layer_vert, layer_frag, constants, DepthTest::keepsLast),
       count_(device, bindings, layer_count_comp, constants),
       vertexCount_(uint32_t(3 * blendedTriangles(asset).size())) {

@@ -31,7 +31,7 @@ VisibilityPass::VisibilityPass(Device& device, Bindings& bindings, const asset::
       marks_(device, "marks of texel records", uint64_t(recordCount_) * sizeof(uint32_t)),
       list_(device, "visible texel records",
             sizeof(VisibleHeader) + uint64_t(recordCount_) * sizeof(uint32_t)),
-      target_(device, tileSamples, {.copied = isBlended(asset)}),
+      target_(device, tileSamples, {.copiedDepth = isBlended(asset)}),
       raster_(device, bindings, target_, visibility_vert, visibility_frag, constants),
       mark_(device, bindings, mark_comp, constants),
       compact_(device, bindings, compact_comp) {

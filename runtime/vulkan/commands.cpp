@@ -100,7 +100,8 @@ vk::BufferImageCopy upperLeft(vk::ImageAspectFlagBits aspect, uvec2 extent, uint
 }  // namespace
 
 void Commands::copySamples(const RasterTarget& target, uvec2 extent, const Buffer& to, uint64_t offset) {
-  native_.buffer.copyImageToBuffer(*target.native().color, vk::ImageLayout::eGeneral, *to.native().buffer,
+  native_.buffer.copyImageToBuffer(*target.native().color, vk::ImageLayout::eTransferSrcOptimal,
+                                   *to.native().buffer,
                                    upperLeft(vk::ImageAspectFlagBits::eColor, extent, offset));
   barrier();
 }

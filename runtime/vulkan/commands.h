@@ -24,8 +24,7 @@ class Commands {
   void dispatch(const ComputePipeline& pipeline, uvec3 groups, std::span<const std::byte> push = {});
   /// Group counts are three words at `offset` of `counts`.
   void dispatchIndirect(const ComputePipeline& pipeline, const Buffer& counts, uint64_t offset);
-  /// The upper left `extent` of a target with RasterFormat::copied, row by row: its words, or its depths as
-  /// floats.
+  /// The upper left `extent` of a target, row by row: its pairs, or its depths as floats (RasterFormat).
   void copySamples(const RasterTarget& target, uvec2 extent, const Buffer& to, uint64_t offset);
   void copyDepth(const RasterTarget& target, uvec2 extent, const Buffer& to, uint64_t offset);
   /// Clears the target, then draws into its upper left `extent`.

@@ -17,14 +17,16 @@ constexpr auto kDepthFormat = vk::Format::eD32Sfloat;
 
 vk::raii::RenderPass makePass(const vk::raii::Device& device, RasterFormat format) {
   using Layout = vk::ImageLayout;
-  const auto keepDepth = format.copied ? vk::AttachmentStoreOp::eStore : vk::AttachmentStoreOp::eDontCare;
+  const auto keepDepth =
+      format.copiedDepth ? vk::AttachmentStoreOp::eStore : vk::AttachmentStoreOp::eDontCare;
   const auto depthLayout =
-      format.copied ? Layout::eTransferSrcOptimal : Layout::eDepthStencilAttachmentOptimal;
+      format.copiedDepth ? Layout::eTransferSrcOptimal : Layout::eDepthStencilAttachmentOptimal;
+  const auto wordLayout = format.pairs ? Layout::eTransferSrcOptimal : Layout::eGeneral;
   const std::array<vk::AttachmentDescription, 2> attachments = {
       vk::AttachmentDescription({}, colorFormat(format), vk::SampleCountFlagBits::e1,
                                 vk::AttachmentLoadOp::eClear, vk::AttachmentStoreOp::eStore,
                                 vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
-                                Layout::eUndefined, Layout::eGeneral),
+                                Layout::eUndefined, wordLayout),
       vk::AttachmentDescription({}, kDepthFormat, vk::SampleCountFlagBits::e1, vk::AttachmentLoadOp::eClear,
                                 keepDepth, vk::AttachmentLoadOp::eDontCare, vk::AttachmentStoreOp::eDontCare,
                                 Layout::eUndefined, depthLayout)};
@@ -63,10 +65,10 @@ RasterTarget::RasterTarget(Device& device, uvec2 size, RasterFormat format)
     const auto features = native.physical.getFormatProperties(kDepthFormat).optimalTilingFeatures;
     if (!(features & vk::FormatFeatureFlagBits::eDepthStencilAttachment))
       fail(ExitCode::runtime, "'{}' has no 32-bit floating-point depth buffer", native.info.name);
-    const vk::ImageUsageFlags copied = format.copied ? Use::eTransferSrc : vk::ImageUsageFlags{};
-    const vk::ImageUsageFlags read = format.pairs ? vk::ImageUsageFlags{} : Use::eStorage;
+    const vk::ImageUsageFlags copied = format.copiedDepth ? Use::eTransferSrc : vk::ImageUsageFlags{};
+    const vk::ImageUsageFlags read = format.pairs ? Use::eTransferSrc : Use::eStorage;
     native_->pass = makePass(native.device, format);
-    makeImage(native, size, colorFormat(format), Use::eColorAttachment | read | copied,
+    makeImage(native, size, colorFormat(format), Use::eColorAttachment | read,
               vk::ImageAspectFlagBits::eColor, native_->color, native_->colorMemory, native_->colorView);
     makeImage(native, size, kDepthFormat, Use::eDepthStencilAttachment | copied,
               vk::ImageAspectFlagBits::eDepth, native_->depth, native_->depthMemory, native_->depthView);

@@ -8,12 +8,11 @@ namespace boxlight::gpu {
 
 /// What a target holds for each sample.
 struct RasterFormat {
-  bool pairs = false;   ///< two 32-bit words, not one
-  bool copied = false;  ///< samples and depth can be copied to buffers
+  bool pairs = false;        ///< two 32-bit words, to be copied to a buffer; else one, which compute reads
+  bool copiedDepth = false;  ///< the depth can be copied to a buffer
 };
 
-/// One or two 32-bit words per sample, with a depth buffer behind them. Kept in the general layout, so that
-/// compute reads words in place.
+/// One or two 32-bit words per sample, with a depth buffer behind them.
 class RasterTarget {
  public:
   RasterTarget(Device& device, uvec2 size, RasterFormat format = {});
