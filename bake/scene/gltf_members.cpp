@@ -21,8 +21,8 @@ GltfMembers GltfMembers::child(const char* key) const {
   return {context_, find(key), fmt::format("{}.{}", place_, key)};
 }
 
-void GltfMembers::say(const char* key, const std::string& message) const {
-  log().warn("{}: {}.{}: {}", context_.file.path.string(), place_, key, message);
+void GltfMembers::say(const std::string& place, const std::string& message) const {
+  log().warn("{}: {}: {}", context_.file.path.string(), place, message);
 }
 
 float GltfMembers::inRange(const char* key, double value, double low, double high) const {

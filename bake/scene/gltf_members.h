@@ -51,13 +51,15 @@ class GltfMembers {
 
   template <class... Args>
   void warn(const char* key, fmt::format_string<Args...> format, Args&&... args) const {
-    say(key, fmt::format(format, std::forward<Args>(args)...));
+    say(fmt::format("{}.{}", place_, key), fmt::format(format, std::forward<Args>(args)...));
   }
+  /// Of the object as a whole.
+  void warnHere(const char* message) const { say(place_, message); }
 
  private:
   bool numbers(const char* key, float* values, size_t count, double low, double high) const;
   float inRange(const char* key, double value, double low, double high) const;
-  void say(const char* key, const std::string& message) const;
+  void say(const std::string& place, const std::string& message) const;
 
   GltfMaterialContext& context_;
   const nlohmann::json* object_;

@@ -35,8 +35,21 @@ void readScattering(const GltfMembers& scatter, asset::MaterialExtension& x) {
     x.scattering[i] = float(albedo * attenuation);
     x.absorption[i] = float((1.0 - albedo) * attenuation);
   }
+  if (scatter.has("multiscatterColorTexture"))
+    scatter.warn("multiscatterColorTexture", "ignored: a medium is the same everywhere");
   scatter.numbers("scattering", x.scattering, 0.0, kNoLimit);
   scatter.numbers("absorption", x.absorption, 0.0, kNoLimit);
+}
+
+// What scatters nothing that anyone could see is hardly meant so.
+void warnOfNoEffect(const GltfMembers& scatter, const asset::MaterialExtension& x) {
+  const auto isZero = [](float coefficient) { return coefficient == 0.0f; };
+  if (std::all_of(std::begin(x.scattering), std::end(x.scattering), isZero))
+    scatter.warnHere(
+        "scatters nothing: the colour is black, or attenuationColor and attenuationDistance leave no "
+        "density");
+  else if (x.transmission == 0.0f && x.diffuseTransmission == 0.0f)
+    scatter.warnHere("has no effect: neither transmission nor diffuse transmission lets light in");
 }
 
 }  // namespace
@@ -53,13 +66,15 @@ bool readMedium(const GltfMembers& material, asset::MaterialExtension& x) {
   const GltfMembers& scatter = extras ? extras : draft;
   if (volume.number("thicknessFactor", 0.0, 0.0, kNoLimit) == 0.0f) {
     if (scatter) {
-      material.warn(extras ? "extras.boxlight_scatter" : "extensions.KHR_materials_volume_scatter",
-                    "ignored: it needs KHR_materials_volume with a thicknessFactor above 0");
+      scatter.warnHere("ignored: it needs KHR_materials_volume with a thicknessFactor above 0");
     }
     return false;
   }
   readAttenuation(volume, x.absorption);
-  if (scatter) readScattering(scatter, x);
+  if (scatter) {
+    readScattering(scatter, x);
+    warnOfNoEffect(scatter, x);
+  }
   return true;
 }
 

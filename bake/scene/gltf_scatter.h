@@ -9,7 +9,8 @@ namespace boxlight {
 /// where it scatters, from KHR_materials_volume_scatter (a draft: this file is where its ratified form goes)
 /// or the same members in the material's extras.boxlight_scatter, which also takes the coefficients
 /// themselves (`scattering`, `absorption`). False if the surface is a thin wall (thicknessFactor 0), which
-/// holds no medium.
+/// holds no medium. Reads what KHR_materials_transmission and KHR_materials_diffuse_transmission have set in
+/// `extension`, to warn of a medium that no light enters.
 bool readMedium(const GltfMembers& material, asset::MaterialExtension& extension);
 
 /// Single-scattering albedo of a dense medium that shows the colour c when light scatters many times in it:

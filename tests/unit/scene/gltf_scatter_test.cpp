@@ -112,6 +112,32 @@ TEST(GltfScatter, AThinWallHoldsNoMedium) {
       << capture.text();
 }
 
+void expectSaid(const Json& material, const std::string& message) {
+  const LogCapture capture;
+  sceneOf(material);
+  EXPECT_NE(capture.text().find(message), std::string::npos) << capture.text();
+}
+
+TEST(GltfScatter, WhatCannotBeSeenIsSaid) {
+  const Json grey = {{"multiscatterColorFactor", {.5, .5, .5}}};
+  expectSaid(draft(grey), "volume_scatter: has no effect: neither transmission nor diffuse transmission");
+  expectSaid(draft(Json::object()), "volume_scatter: scatters nothing");
+  Json empty = extras(grey);
+  empty["extensions"]["KHR_materials_volume"].erase("attenuationDistance");
+  expectSaid(empty, "extras.boxlight_scatter: scatters nothing");
+  Json textured = draft(grey);
+  textured["extensions"]["KHR_materials_volume_scatter"]["multiscatterColorTexture"] = {{"index", 0}};
+  expectSaid(textured, "multiscatterColorTexture: ignored");
+  for (const char* way : {"transmission", "diffuse_transmission"}) {
+    Json whole = draft(grey);
+    const std::string factor = way[0] == 't' ? "transmissionFactor" : "diffuseTransmissionFactor";
+    whole["extensions"]["KHR_materials_" + std::string(way)][factor] = 1;
+    const LogCapture capture;
+    sceneOf(whole);
+    EXPECT_EQ(capture.text(), "");
+  }
+}
+
 TEST(GltfScatter, RangesAreClamped) {
   const LogCapture capture;
   EXPECT_FLOAT_EQ(extensionOf(draft({{"scatterAnisotropy", 1}})).scatterAnisotropy, .999f);
