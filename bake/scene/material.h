@@ -56,6 +56,8 @@ struct SurfaceFrame {
   vec4 tangent;          ///< unit and orthogonal to normal; w is the bitangent's sign
 };
 SurfaceFrame surfaceFrame(const Scene& scene, SurfacePoint point);
+/// The position in full precision: far from the origin, floats would move it off its triangle.
+dvec3 surfacePosition(const Scene& scene, SurfacePoint point);
 
 /// A unit vector of the tangent frame (a normal map's texel) in world space.
 vec3 fromTangentSpace(const SurfaceFrame& frame, vec3 v);

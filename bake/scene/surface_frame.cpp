@@ -5,6 +5,12 @@
 
 namespace boxlight {
 
+dvec3 surfacePosition(const Scene& scene, SurfacePoint point) {
+  const Corners corners(scene, point);
+  const dvec3 a(toVec3(corners.a.position)), b(toVec3(corners.b.position)), c(toVec3(corners.c.position));
+  return a + double(point.barycentric.x) * (b - a) + double(point.barycentric.y) * (c - a);
+}
+
 SurfaceFrame surfaceFrame(const Scene& scene, SurfacePoint point) {
   const Corners corners(scene, point);
   const asset::Vertex &a = corners.a, &b = corners.b, &c = corners.c;

@@ -14,12 +14,13 @@
 namespace boxlight {
 
 struct Intersector::Impl {
-  explicit Impl(const Scene& s) : scene(s) {}
+  explicit Impl(const Scene& s) : scene(s), origin(hitOrigin(s)) {}
   ~Impl() {
     if (world) rtcReleaseScene(world);
     if (device) rtcReleaseDevice(device);
   }
   const Scene& scene;
+  const vec3 origin;
   RTCDevice device = nullptr;
   RTCScene world = nullptr;
 };
@@ -64,8 +65,9 @@ RTCGeometry makeGeometry(RTCDevice device, const Scene& scene) {
       geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), scene.triangles.size()));
   if (!positions || !indices)
     fail(ExitCode::runtime, "{}: Embree has no memory for the scene", scene.path.string());
+  const vec3 origin = hitOrigin(scene);
   for (size_t i = 0; i < scene.vertices.size(); ++i)
-    std::memcpy(positions + 3 * i, scene.vertices[i].position, 12);
+    for (int c = 0; c < 3; ++c) positions[3 * i + size_t(c)] = scene.vertices[i].position[c] - origin[c];
   for (size_t i = 0; i < scene.triangles.size(); ++i)
     std::memcpy(indices + 3 * i, scene.triangles[i].vertex, 12);
   rtcSetGeometryUserData(geometry, const_cast<Scene*>(&scene));
@@ -77,9 +79,10 @@ RTCGeometry makeGeometry(RTCDevice device, const Scene& scene) {
   return geometry;
 }
 
-RTCRay makeRay(const Ray& ray) {
+RTCRay makeRay(const Ray& ray, vec3 origin) {
   RTCRay r{};
-  r.org_x = ray.origin.x, r.org_y = ray.origin.y, r.org_z = ray.origin.z;
+  const vec3 start(ray.origin - dvec3(origin));
+  r.org_x = start.x, r.org_y = start.y, r.org_z = start.z;
   r.dir_x = ray.direction.x, r.dir_y = ray.direction.y, r.dir_z = ray.direction.z;
   r.tnear = 0.0f;
   r.tfar = ray.limit;
@@ -124,7 +127,7 @@ std::optional<SurfacePoint> Intersector::intersect(const Ray& ray, float& distan
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   RTCRayHit query{};
-  query.ray = makeRay(ray);
+  query.ray = makeRay(ray, impl_->origin);
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(impl_->world, &context, &query);
   distance = query.ray.tfar;
@@ -135,18 +138,28 @@ std::optional<SurfacePoint> Intersector::intersect(const Ray& ray, float& distan
 bool Intersector::occluded(const Ray& ray) const {
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  RTCRay query = makeRay(ray);
+  RTCRay query = makeRay(ray, impl_->origin);
   rtcOccluded1(impl_->world, &context, &query);
   return query.tfar < 0.0f;
 }
 
-vec3 offsetOrigin(const Scene& scene, const SurfacePoint& point, vec3 position, vec3 normal) {
+vec3 hitOrigin(const Scene& scene) {
+  vec3 origin(0.0f);
+  for (int c = 0; c < 3; ++c) {
+    const float low = scene.boundsMin[c], high = scene.boundsMax[c], centre = 0.5f * low + 0.5f * high;
+    if (high >= low && std::abs(centre) > high - low) origin[c] = centre;
+  }
+  return origin;
+}
+
+dvec3 offsetOrigin(const Scene& scene, const SurfacePoint& point, vec3 normal) {
+  const vec3 origin = hitOrigin(scene);
   float magnitude = 0.0f;
   for (uint32_t vertex : scene.triangles[point.triangle].vertex)
-    for (float coordinate : scene.vertices[vertex].position)
-      magnitude = std::max(magnitude, std::abs(coordinate));
-  constexpr float kUnitsInLastPlace = 32.0f * 0x1p-23f;
-  return position + (kUnitsInLastPlace * magnitude) * normal;
+    for (int c = 0; c < 3; ++c)
+      magnitude = std::max(magnitude, std::abs(scene.vertices[vertex].position[c] - origin[c]));
+  constexpr float kUnitsInLastPlace = 8.0f * 0x1p-23f;  // 2 suffice wherever it was measured
+  return surfacePosition(scene, point) + dvec3((kUnitsInLastPlace * magnitude) * normal);
 }
 
 }  // namespace boxlight

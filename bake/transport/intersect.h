@@ -10,8 +10,10 @@
 
 namespace boxlight {
 
+/// The origin is in double precision, so that far from the world's origin it still lies where it should.
 struct Ray {
-  vec3 origin{0.0f}, direction{0.0f};
+  dvec3 origin{0.0};
+  vec3 direction{0.0f};
   float limit = std::numeric_limits<float>::infinity();  ///< nothing beyond this distance is met
 };
 
@@ -39,9 +41,14 @@ class Intersector {
   std::unique_ptr<Impl> impl_;
 };
 
-/// `position`, known to float precision, moved off the surface to the side of the unit normal by some tens of
-/// units in the last place of its largest coordinate and of the triangle's: enough that a ray does not meet
-/// the surface it starts from, and far below any shadow's scale at any scene scale.
-vec3 offsetOrigin(const Scene& scene, const SurfacePoint& point, vec3 position, vec3 normal);
+/// Hits are found in float precision around this point: the centre of the scene's bounds on every axis on
+/// which the scene is farther from 0 than it is long, where the subtraction is exact (Sterbenz's lemma), and
+/// 0 on the others.
+vec3 hitOrigin(const Scene& scene);
+
+/// The point moved off the surface to the side of the unit normal by 8 units in the last place of its
+/// triangle's largest coordinate about hitOrigin: enough that a ray does not meet the surface it starts from,
+/// and far below any shadow's scale at any scene scale.
+dvec3 offsetOrigin(const Scene& scene, const SurfacePoint& point, vec3 normal);
 
 }  // namespace boxlight

@@ -11,7 +11,7 @@ namespace boxlight {
 
 /// The closed volumes (materials with asset::kVolume) that a path is inside of, outermost first. Closed
 /// meshes nest; where they overlap, the one entered last counts. A path that leaves a volume which it never
-/// entered stays as it is.
+/// entered stays as it is. No medium reaches beyond the scene's bounds: that of an open mesh ends there.
 class MediumStack {
  public:
   void enter(uint32_t material);
@@ -19,7 +19,7 @@ class MediumStack {
   std::optional<uint32_t> innermost() const;
   /// The refractive index around the path; that of air outside of everything.
   float ior(const Scene& scene) const;
-  /// The same after leaving `material`.
+  /// The same after leaving `material`, the one entered last if there are several.
   float iorWithout(const Scene& scene, uint32_t material) const;
 
  private:

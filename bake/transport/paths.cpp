@@ -116,8 +116,7 @@ bool PathTracer::escapes(Ray ray, Sampler& sampler) const {
     const float side = glm::dot(frame.geometricNormal, ray.direction) > 0.0f ? -1.0f : 1.0f;
     surface.normal = side * frame.geometricNormal;
     orthonormalBasis(surface.normal, surface.tangent, surface.bitangent);
-    ray = {offsetOrigin(scene, *point, frame.position, surface.normal),
-           surface.toWorld(cosineDirection(sampler.next2()))};
+    ray = {offsetOrigin(scene, *point, surface.normal), surface.toWorld(cosineDirection(sampler.next2()))};
   }
   return false;
 }
@@ -142,7 +141,7 @@ MediumStack mediaAround(const Intersector& world, std::span<const FootprintPiece
   const SurfacePoint point = sampleFootprint(footprint, vec2(0.5f));
   const SurfaceFrame frame = surfaceFrame(scene, point);
   const vec3 outward = (back ? -1.0f : 1.0f) * frame.geometricNormal;
-  MediumStack media = enclosingMedia(world, {offsetOrigin(scene, point, frame.position, outward), outward});
+  MediumStack media = enclosingMedia(world, {offsetOrigin(scene, point, outward), outward});
   // The back of an open mesh that claims to be a volume: its medium is there, if only on this side.
   const uint32_t material = scene.triangles[point.triangle].material;
   if (back && (scene.materials[material].flags & asset::kVolume) && media.innermost() != material)

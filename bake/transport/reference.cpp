@@ -45,18 +45,30 @@ Rgb limited(Rgb radiance, float limit, RowEnergy& energy) {
   return kept;
 }
 
-std::optional<SurfacePoint> intersectCamera(const Intersector& world, Ray ray) {
+/// What a camera ray meets.
+struct CameraHit {
+  std::optional<SurfacePoint> point;
+  PathState path;  ///< its direction turns where a medium scatters it
+};
+
+/// Through the medium that the camera is in, and through the faces that it does not see.
+CameraHit followCamera(const Intersector& world, Ray ray, const MediumStack& media, Sampler& sampler) {
+  const Scene& scene = world.scene();
+  PathState path{ray.direction, Rgb(1.0f), media};
   for (int layer = 0; layer < kMaximumLayers; ++layer) {
-    const auto point = world.intersect(ray);
-    if (!point) return std::nullopt;
-    const Scene& scene = world.scene();
-    const SurfaceFrame frame = surfaceFrame(scene, *point);
-    const bool back = glm::dot(frame.geometricNormal, ray.direction) > 0.0f;
-    if (!back || scene.materials[scene.triangles[point->triangle].material].flags & asset::kDoubleSided)
-      return point;
-    ray.origin = offsetOrigin(scene, *point, frame.position, frame.geometricNormal);
+    const Travel next = travel(world, path.media, ray, path.throughput, sampler);
+    path.direction = ray.direction;
+    if (!next.point) return {std::nullopt, path};
+    const uint32_t material = scene.triangles[next.point->triangle].material;
+    const uint32_t flags = scene.materials[material].flags;
+    const vec3 normal = surfaceFrame(scene, *next.point).geometricNormal;
+    const bool back = glm::dot(normal, ray.direction) > 0.0f;
+    if (!back || next.scattered || flags & asset::kDoubleSided) return {next.point, path};
+    if (flags & asset::kVolume) path.media.leave(material);
+    ray.origin = offsetOrigin(scene, *next.point, normal);
+    ray.limit = std::numeric_limits<float>::infinity();
   }
-  return std::nullopt;
+  return {std::nullopt, path};
 }
 
 }  // namespace
@@ -73,11 +85,16 @@ ReferencePicture renderPicture(const Intersector& world, const EnvironmentSample
     PixelSum sum;
     for (uint32_t s = 0; s < options.samplesPerPixel; ++s) {
       Sampler sampler({options.seed, y * size.x + x, kPictureStream}, s);
-      const vec3 direction = camera.direction(vec2(x, y) + sampler.next2());
-      if (const auto point = intersectCamera(world, {camera.eye, direction}))
-        sum.add(limited(estimate(*point, direction, media, sampler), options.radianceLimit, rows[y]), 1.0f);
+      const Ray ray{camera.eye, camera.direction(vec2(x, y) + sampler.next2())};
+      const auto [point, path] = followCamera(world, ray, media, sampler);
+      if (point && maxComponent(path.throughput) > 0.0f)
+        sum.add(limited(path.throughput * estimate(*point, path.direction, path.media, sampler),
+                        options.radianceLimit, rows[y]),
+                1.0f);
+      else if (point)
+        sum.add(Rgb(0.0f), 1.0f);
       else if (options.background)
-        sum.add(environment.radiance(direction), 1.0f);
+        sum.add(path.throughput * environment.radiance(path.direction), 1.0f);
       else
         sum.add(Rgb(0.0f), 0.0f);
     }

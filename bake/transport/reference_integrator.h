@@ -35,7 +35,7 @@ class ReferenceIntegrator {
       const BsdfModel bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
                            surface.coatNormal);
       result += path.throughput * bsdf.emission();
-      result += path.throughput * directLight(surface, bsdf, sampler.next2());
+      result += path.throughput * directLight(surface, bsdf, path.media, sampler.next2());
       float density = scatter(surface, bsdf, path, sampler);
       if (density == 0.0f) return result;
       Ray ray = leaveSurface(world_.scene(), surface, path.direction);
@@ -43,7 +43,7 @@ class ReferenceIntegrator {
       path.direction = ray.direction;
       if (!next.point) {
         const float weight =
-            next.scattered ? 1.0f : powerHeuristic(density, environment_.density(path.direction));
+            path.media.innermost() ? 1.0f : powerHeuristic(density, environment_.density(path.direction));
         return result + weight * path.throughput * environment_.radiance(path.direction);
       }
       if (!continuePath(bounce, maximumBounces_, path.throughput, sampler)) return result;
@@ -52,13 +52,15 @@ class ReferenceIntegrator {
   }
 
  private:
-  /// Light that a medium stands in the way of is left to BSDF sampling: its boundary occludes it here.
-  Rgb directLight(const SurfaceView& surface, const BsdfModel& bsdf, vec2 random) const {
+  /// Light that comes through a medium is left to BSDF sampling.
+  Rgb directLight(const SurfaceView& surface, const BsdfModel& bsdf, MediumStack media, vec2 random) const {
     const EnvironmentSampler::Sample light = environment_.sample(random);
     const vec3 wi = surface.toLocal(light.direction);
     if (!(light.density > 0.0f) ||
         (glm::dot(light.direction, surface.geometricNormal) > 0.0f) != (wi.z > 0.0f))
       return Rgb(0.0f);
+    passBoundary(surface, wi, media);
+    if (media.innermost()) return Rgb(0.0f);
     const LobeValue lobe = bsdf.evaluate(wi);
     if (maxComponent(lobe.value) <= 0.0f ||
         world_.occluded(leaveSurface(world_.scene(), surface, light.direction)))

@@ -37,7 +37,6 @@ SurfaceView view(const Scene& scene, const SurfacePoint& point, const SurfaceFra
   surface.back = back;
   surface.material = sampleMaterial(scene, point);
   surface.materialIndex = scene.triangles[point.triangle].material;
-  surface.position = frame.position;
   const float side = back ? -1.0f : 1.0f;
   surface.geometricNormal = side * frame.geometricNormal;
   surface.normal = raiseAboveHorizon(side * shadingNormal(frame, surface.material), wo, kMinimumCosine);
@@ -62,7 +61,7 @@ SurfaceView viewSurfaceSide(const Scene& scene, const SurfacePoint& point, vec3 
 
 Ray leaveSurface(const Scene& scene, const SurfaceView& surface, vec3 wi) {
   const float side = glm::dot(wi, surface.geometricNormal) < 0.0f ? -1.0f : 1.0f;
-  return {offsetOrigin(scene, surface.point, surface.position, side * surface.geometricNormal), wi};
+  return {offsetOrigin(scene, surface.point, side * surface.geometricNormal), wi};
 }
 
 }  // namespace boxlight

@@ -10,7 +10,6 @@ namespace boxlight {
 /// A surface point as light sees it from direction wo: everything turned to wo's side.
 struct SurfaceView {
   SurfacePoint point;
-  vec3 position{0.0f};
   vec3 geometricNormal{0.0f};  ///< unit, on wo's side
   vec3 normal{0.0f};           ///< unit shading normal, the local z axis; dot(normal, wo) >= kMinimumCosine
   vec3 tangent{0.0f}, bitangent{0.0f};  ///< local x and y; x is the anisotropy's direction
