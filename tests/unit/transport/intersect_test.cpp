@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "bake/transport/sampler.h"
 #include "bake/transport/surface.h"
 #include "tests/support/scenes.h"
@@ -59,6 +61,32 @@ TEST(Intersector, OffsetsAvoidSelfShadowsAtEveryScale) {
         shadowed += world.occluded(leaveSurface(scene, surface, wi));
       }
       EXPECT_EQ(shadowed, 0) << "scale " << scale << ", distance " << distance;
+    }
+}
+
+// Where floats are as coarse as the triangles themselves: a ray may meet a neighbour, never its own triangle.
+TEST(Intersector, NoRayMeetsTheTriangleItLeaves) {
+  for (float scale : {1e-4f, 1.0f, 1e6f})
+    for (float distance : {0.0f, 3.0f, 1e5f}) {
+      Scene scene = test::makeScene(test::lambert());
+      test::addSphere(scene, scale * vec3(distance, 0.3f * distance, 0), scale, 96);
+      const Intersector world(scene);
+      int met = 0;
+      for (uint32_t i = 0; i < 10000; ++i) {
+        Sampler sampler({1, 0, 0}, i);
+        const vec2 b = 0.5f * sampler.next2();
+        const SurfacePoint point{uint32_t(sampler.next() * float(scene.triangles.size())), b};
+        const vec3 normal = surfaceFrame(scene, point).geometricNormal;
+        if (!(glm::length(normal) > 0.5f)) continue;  // rounded to a line
+        vec3 t, s;
+        orthonormalBasis(normal, t, s);
+        const float cosine = std::pow(10.0f, -4 * sampler.next()), phi = 2 * kPi * sampler.next();
+        const vec3 along = std::cos(phi) * t + std::sin(phi) * s;
+        const auto hit =
+            world.intersect({offsetOrigin(scene, point, normal), glm::normalize(cosine * normal + along)});
+        met += hit && hit->triangle == point.triangle;
+      }
+      EXPECT_EQ(met, 0) << "scale " << scale << ", distance " << distance;
     }
 }
 
