@@ -19,7 +19,7 @@ namespace boxlight {
 namespace {
 
 struct BakeOptions {
-  std::string scene, output, preset = "preview";
+  std::string scene, output, preset = "preview", atlasUv = "auto";
   TransportOptions transport;
   uint32_t atlas = 0, views = 92, boxes = 0, paths = 0;  ///< 0: as the preset says
 };
@@ -31,6 +31,14 @@ struct Preset {
 const std::map<std::string, Preset>& presets() {
   static const std::map<std::string, Preset> table = {
       {"draft", {64, 8, 128}}, {"preview", {128, 8, 256}}, {"production", {256, 8, 256}}};
+  return table;
+}
+
+const std::map<std::string, AtlasSource>& atlasSources() {
+  static const std::map<std::string, AtlasSource> table = {{"auto", AtlasSource::automatic},
+                                                           {"chart", AtlasSource::chart},
+                                                           {"0", AtlasSource::texcoord0},
+                                                           {"1", AtlasSource::texcoord1}};
   return table;
 }
 
@@ -63,6 +71,7 @@ nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
       {"options",
        {{"scheme", "sketch"},
         {"atlas", o.atlas},
+        {"atlasUv", o.atlasUv},
         {"views", o.views},
         {"boxes", o.boxes},
         {"paths", o.paths},
@@ -84,7 +93,8 @@ void bake(BakeOptions options, const CommonOptions& common) {
                                     size_t(resolveThreads(common.threads)));
   Scene scene = loadGltf(options.scene);
   options.transport.applyTo(scene);
-  const uint32_t uvSet = chooseAtlas(scene);
+  const ProgressStyle progress = common.quiet ? ProgressStyle::none : common.progress;
+  const AtlasReport atlas = chooseAtlas(scene, {options.atlas, atlasSources().at(options.atlasUv), progress});
   const TexelMap map = makeTexels(scene, options.atlas, options.atlas);
   const Intersector world(scene);
   const std::vector<RecordPlan> records = planRecords(world, map);
@@ -93,12 +103,11 @@ void bake(BakeOptions options, const CommonOptions& common) {
                               options.boxes,
                               {options.transport.bounceLimit(), options.transport.energyLimit()},
                               options.transport.seed};
-  log().info("{}: {} triangles, atlas {}x{} from TEXCOORD_{}", options.scene, scene.triangles.size(),
-             options.atlas, options.atlas, uvSet);
+  log().info("{}: {} triangles, atlas {}x{} {}", options.scene, scene.triangles.size(), options.atlas,
+             options.atlas, atlas.summary());
   announce(estimateCost(records, sphere, kernels));
 
-  BakedScene baked =
-      bakeScene(world, map, records, sphere, kernels, common.quiet ? ProgressStyle::none : common.progress);
+  BakedScene baked = bakeScene(world, map, records, sphere, kernels, progress);
   options.transport.reportRemoved(baked.removed);
   baked.asset.provenance = provenance(options, scene);
   const size_t tileCount = baked.asset.tiles.size();
@@ -122,6 +131,11 @@ void addBakeCommand(CLI::App& app, CommonOptions& common) {
   command->add_option("--atlas", o->atlas, "Texels per side of the atlas")
       ->check(CLI::Range(1, 8192))
       ->option_text("N");
+  command
+      ->add_option("--atlas-uv", o->atlasUv,
+                   "Where the atlas comes from: TEXCOORD_0 or _1, charts of our own, or what fits")
+      ->check(CLI::IsMember({"auto", "chart", "0", "1"}))
+      ->capture_default_str();
   command->add_option("--views", o->views, "View directions")
       ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))
       ->capture_default_str();

@@ -1,25 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
+#include "bake/scene/charting.h"
 #include "bake/scene/scene.h"
+#include "bake/scene/texel_density.h"
 
 namespace boxlight {
 
-/// What rasterising one UV set found. A set can be the atlas if it lies inside [0,1], no sample of the unit
-/// square is covered twice (beyond a few that rounding explains), and no visible part of the surface has lost
-/// its area.
-struct UvSetReport {
-  bool inside = true;
-  double overlap = 0;  ///< covered samples that are covered more than once, as a fraction of the covered ones
-  double collapsed = 0;  ///< surface area whose triangles have no UV area, as a fraction of the whole surface
-  uint64_t samples = 0;  ///< covered, of 2048 x 2048
-  bool usable() const;
+/// Where the atlas comes from. `automatic`: TEXCOORD_0, else TEXCOORD_1, if unique, inside [0,1] and of even
+/// density; else charts.
+enum class AtlasSource { automatic, chart, texcoord0, texcoord1 };
+
+struct AtlasOptions {
+  uint32_t size = 256;  ///< texels per side
+  AtlasSource source = AtlasSource::automatic;
+  ProgressStyle progress = ProgressStyle::none;
 };
 
-UvSetReport inspectUvSet(const Scene& scene, uint32_t set);
+/// What chooseAtlas did.
+struct AtlasReport {
+  uint32_t uvSet = asset::kNone;  ///< or kNone: charted
+  std::string reason;  ///< why not the scene's own UV sets; empty if one was taken or none was wanted
+  Charting charting;   ///< if charted
+  TexelDensity density;
 
-/// Copies the scene's first usable UV set into Vertex::atlasUv and returns its number.
-/// Error: ExitCode::unsupported, saying what is wrong with each set.
-uint32_t chooseAtlas(Scene& scene);
+  std::string summary() const;  ///< one line for the user
+};
+
+/// The automatic source passes over a UV set whose most dense texels are more than so many times as dense as
+/// its least dense (TexelDensity). docs/decisions/004-uneven-uv-sets.md
+inline constexpr double kMostUneven = 8;
+
+/// Sets Vertex::atlasUv; charting adds vertices. Errors: ExitCode::unsupported if the source is a UV set that
+/// cannot be the atlas; ExitCode::interrupted.
+AtlasReport chooseAtlas(Scene& scene, const AtlasOptions& options);
 
 }  // namespace boxlight

@@ -10,6 +10,12 @@
 
 namespace boxlight {
 
+/// How much denser than elsewhere the texels of some triangles are to be, as a user asked.
+struct TexelScale {
+  uint32_t firstTriangle;  ///< up to the next entry's
+  float scale;             ///< of texels per metre, in [1/100, 100]
+};
+
 /// A glTF scene flattened to world space, in the records that the asset stores: what is baked is what is
 /// shipped.
 struct Scene {
@@ -23,9 +29,13 @@ struct Scene {
   std::vector<asset::TextureTransform> textureTransforms;
   std::vector<asset::Texture> textures;
   std::vector<uint32_t> texels;          ///< RGBA8 of all textures, R in the low byte
+  std::vector<TexelScale> texelScales;   ///< by rising firstTriangle; 1 before the first
   bool hasTexcoord[2] = {false, false};  ///< does every primitive have TEXCOORD_0 / _1?
   vec3 boundsMin{0.0f}, boundsMax{0.0f};
   uint64_t hash = 0;  ///< xxh64 over everything above that a bake depends on
 };
+
+/// Scene::texelScales, per triangle.
+std::vector<float> texelScaleOfTriangles(const Scene& scene);
 
 }  // namespace boxlight

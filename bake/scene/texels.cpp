@@ -7,38 +7,49 @@
 namespace boxlight {
 namespace {
 
-/// A corner of a clipped triangle: where it is in the atlas (in texels) and on the triangle.
+/// A corner of a clipped triangle: where it is in the atlas, in texels from the triangle's first corner, and
+/// on the triangle.
 struct Corner {
-  vec2 atlas, barycentric;
+  dvec2 atlas, barycentric;
 };
 
 using Polygon = std::vector<Corner>;
 
 /// Sutherland-Hodgman against one side of a texel: keeps sign * (atlas[axis] - bound) >= 0.
-void clip(Polygon& polygon, Polygon& scratch, int axis, float bound, float sign) {
-  scratch.clear();
+void clip(const Polygon& polygon, Polygon& clipped, int axis, double bound, double sign) {
+  clipped.clear();
   for (size_t i = 0; i < polygon.size(); ++i) {
     const Corner &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-    const float da = sign * (a.atlas[axis] - bound), db = sign * (b.atlas[axis] - bound);
-    if (da >= 0) scratch.push_back(a);
+    const double da = sign * (a.atlas[axis] - bound), db = sign * (b.atlas[axis] - bound);
+    if (da >= 0) clipped.push_back(a);
     if ((da >= 0) != (db >= 0)) {
-      const float t = da / (da - db);
-      scratch.push_back({glm::mix(a.atlas, b.atlas, t), glm::mix(a.barycentric, b.barycentric, t)});
+      const double t = da / (da - db);
+      clipped.push_back({glm::mix(a.atlas, b.atlas, t), glm::mix(a.barycentric, b.barycentric, t)});
     }
   }
-  polygon.swap(scratch);
 }
 
-float cross2(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
+double cross2(dvec2 a, dvec2 b) { return a.x * b.y - a.y * b.x; }
 
-constexpr float kSliver = 1e-5f;
+constexpr double kSliver = 1e-5;
 
 /// Area in texels of a convex polygon.
-float atlasArea(std::span<const Corner> polygon) {
-  float doubled = 0;
+double atlasArea(std::span<const Corner> polygon) {
+  double doubled = 0;
   for (size_t i = 2; i < polygon.size(); ++i)
     doubled += std::abs(cross2(polygon[i - 1].atlas - polygon[0].atlas, polygon[i].atlas - polygon[0].atlas));
-  return 0.5f * doubled;
+  return 0.5 * doubled;
+}
+
+/// Of the whole texels that the polygon reaches along an axis, first and last, in an atlas of `size`.
+std::pair<uint32_t, uint32_t> reach(std::span<const Corner> polygon, int axis, double origin, uint32_t size) {
+  double low = polygon[0].atlas[axis], high = low;
+  for (const Corner& corner : polygon) {
+    low = std::min(low, corner.atlas[axis]);
+    high = std::max(high, corner.atlas[axis]);
+  }
+  const auto texel = [size](double at) { return uint32_t(std::clamp(at, 0.0, size - 1.0)); };
+  return {texel(origin + low), texel(origin + high)};
 }
 
 struct Piece {
@@ -51,45 +62,66 @@ class Cutter {
   Cutter(const Scene& scene, uint32_t width, uint32_t height) : scene_(scene), size_(width, height) {}
 
   void cut(uint32_t triangle) {
-    std::array<Corner, 3> corners;
-    vec3 p[3];
+    dvec2 uv[3];
+    dvec3 p[3];
     for (int k = 0; k < 3; ++k) {
       const asset::Vertex& vertex = scene_.vertices[scene_.triangles[triangle].vertex[k]];
-      corners[k] = {vec2(vertex.atlasUv[0], vertex.atlasUv[1]) * vec2(size_), vec2(k == 1, k == 2)};
+      uv[k] = dvec2(vertex.atlasUv[0], vertex.atlasUv[1]) * dvec2(size_);
       p[k] = {vertex.position[0], vertex.position[1], vertex.position[2]};
     }
-    const auto worldArea =
-        float(0.5 * glm::length(glm::cross(dvec3(p[1]) - dvec3(p[0]), dvec3(p[2]) - dvec3(p[0]))));
-    const auto low = glm::min(corners[0].atlas, glm::min(corners[1].atlas, corners[2].atlas));
-    const auto high = glm::max(corners[0].atlas, glm::max(corners[1].atlas, corners[2].atlas));
-    const uvec2 first = uvec2(low), last = glm::min(uvec2(high), size_ - 1u);
-    for (uint32_t y = first.y; y <= last.y; ++y)
-      for (uint32_t x = first.x; x <= last.x; ++x) cutTexel(triangle, worldArea, corners, x, y);
+    triangle_ = triangle;
+    worldArea_ = 0.5 * glm::length(glm::cross(p[1] - p[0], p[2] - p[0]));
+    origin_ = uv[0];
+    whole_.clear();
+    for (int k = 0; k < 3; ++k) whole_.push_back({uv[k] - origin_, dvec2(k == 1, k == 2)});
+    const double area = atlasArea(whole_);
+    if (area > 0) {
+      // What rounding leaves of a triangle that only touches a texel's side is no surface of the texel.
+      cutRows(kSliver * std::min(1.0, area));
+    } else {
+      keepWhole((uv[0] + uv[1] + uv[2]) / 3.0);
+    }
   }
 
   std::vector<Piece> pieces;
 
  private:
-  void cutTexel(uint32_t triangle, float worldArea, const std::array<Corner, 3>& corners, uint32_t x,
-                uint32_t y) {
-    polygon_.assign(corners.begin(), corners.end());
-    clip(polygon_, scratch_, 0, float(x), 1);
-    clip(polygon_, scratch_, 0, float(x + 1), -1);
-    clip(polygon_, scratch_, 1, float(y), 1);
-    clip(polygon_, scratch_, 1, float(y + 1), -1);
-    // What rounding leaves of a triangle that only touches the texel's side is no surface of the texel.
-    if (atlasArea(polygon_) <= kSliver * std::min(1.0f, atlasArea(corners))) return;
-    for (size_t i = 2; i < polygon_.size(); ++i) {
-      const vec2 a = polygon_[0].barycentric, b = polygon_[i - 1].barycentric, c = polygon_[i].barycentric;
+  void cutRows(double sliver) {
+    const auto [first, last] = reach(whole_, 1, origin_.y, size_.y);
+    for (uint32_t y = first; y <= last; ++y) {
+      clip(whole_, scratch_, 1, y - origin_.y, 1);
+      clip(scratch_, row_, 1, y + 1 - origin_.y, -1);
+      if (row_.size() < 3) continue;
+      const auto [left, right] = reach(row_, 0, origin_.x, size_.x);
+      for (uint32_t x = left; x <= right; ++x) {
+        clip(row_, scratch_, 0, x - origin_.x, 1);
+        clip(scratch_, texel_, 0, x + 1 - origin_.x, -1);
+        if (atlasArea(texel_) > sliver) keep(texel_, x, y);
+      }
+    }
+  }
+
+  /// A triangle without area in the atlas is surface none the less, of the texel it lies in.
+  void keepWhole(dvec2 centre) {
+    const auto at = uvec2(glm::clamp(centre, dvec2(0.0), dvec2(size_) - 1.0));
+    keep(whole_, at.x, at.y);
+  }
+
+  void keep(const Polygon& polygon, uint32_t x, uint32_t y) {
+    for (size_t i = 2; i < polygon.size(); ++i) {
+      const dvec2 a = polygon[0].barycentric, b = polygon[i - 1].barycentric, c = polygon[i].barycentric;
       // Barycentric coordinates are affine: areas on the triangle are its area times twice theirs.
-      const float area = worldArea * std::abs(cross2(b - a, c - a));
-      if (area > 0) pieces.push_back({y * size_.x + x, {triangle, {a, b, c}, area}});
+      const auto area = float(worldArea_ * std::abs(cross2(b - a, c - a)));
+      if (area > 0) pieces.push_back({y * size_.x + x, {triangle_, {vec2(a), vec2(b), vec2(c)}, area}});
     }
   }
 
   const Scene& scene_;
   uvec2 size_;
-  Polygon polygon_, scratch_;
+  uint32_t triangle_ = 0;
+  double worldArea_ = 0;
+  dvec2 origin_{0.0};
+  Polygon whole_, row_, texel_, scratch_;
 };
 
 /// Texels in blocks of 8x8, row by row.

@@ -15,6 +15,7 @@
 
 namespace boxlight {
 
+using glm::dvec2;
 using glm::dvec3;
 using glm::ivec2;
 using glm::uvec2;

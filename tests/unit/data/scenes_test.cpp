@@ -119,7 +119,7 @@ TEST_P(EveryScene, LoadsWithAnAtlas) {
   EXPECT_EQ(scene.triangles.size(), indices / 3);
   EXPECT_EQ(scene.materials.size(), model.parts.size());
   EXPECT_EQ(scene.textures.size(), model.textures.size());
-  EXPECT_EQ(chooseAtlas(scene), model.textured ? 1u : 0u);
+  EXPECT_EQ(chooseAtlas(scene, {}).uvSet, model.textured ? 1u : 0u);
 }
 
 TEST_P(EveryScene, SameBytesTwice) {
