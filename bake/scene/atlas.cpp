@@ -3,6 +3,7 @@
 
 #include "bake/scene/uv_set.h"
 #include "common/base/error.h"
+#include "common/base/log.h"
 
 namespace boxlight {
 namespace {
@@ -21,6 +22,12 @@ std::string tryUvSet(Scene& scene, uint32_t set, AtlasReport& report, uint32_t s
   return {};
 }
 
+void warnOfUnusedScales(const Scene& scene, uint32_t set) {
+  if (scene.texelScales.empty()) return;
+  log().warn("{}: boxlight_texel_scale has no effect: the atlas is TEXCOORD_{}; take --atlas-uv chart",
+             scene.path.string(), set);
+}
+
 AtlasReport takeAsked(Scene& scene, uint32_t set, uint32_t size) {
   AtlasReport report;
   const std::string fault = tryUvSet(scene, set, report, size);
@@ -34,7 +41,7 @@ AtlasReport takeFirstGood(Scene& scene, uint32_t size) {
   AtlasReport report;
   for (uint32_t set = 0; set < 2; ++set) {
     std::string fault = tryUvSet(scene, set, report, size);
-    if (fault.empty() && report.density.most > kMostUneven * report.density.least)
+    if (fault.empty() && report.density.mean > kMostStarved * report.density.least)
       fault =
           fmt::format("has from {:.3g} to {:.3g} texels a metre", report.density.least, report.density.most);
     if (fault.empty()) return {.uvSet = set, .density = report.density};
@@ -47,11 +54,14 @@ AtlasReport takeFirstGood(Scene& scene, uint32_t size) {
 }  // namespace
 
 AtlasReport chooseAtlas(Scene& scene, const AtlasOptions& options) {
-  if (options.source == AtlasSource::texcoord0) return takeAsked(scene, 0, options.size);
-  if (options.source == AtlasSource::texcoord1) return takeAsked(scene, 1, options.size);
   AtlasReport report;
   if (options.source == AtlasSource::automatic) report = takeFirstGood(scene, options.size);
-  if (report.uvSet != asset::kNone) return report;
+  if (options.source == AtlasSource::texcoord0) report = takeAsked(scene, 0, options.size);
+  if (options.source == AtlasSource::texcoord1) report = takeAsked(scene, 1, options.size);
+  if (report.uvSet != asset::kNone) {
+    warnOfUnusedScales(scene, report.uvSet);
+    return report;
+  }
   report.charting = chartScene(scene, options.size, options.progress);
   report.density = measureDensity(scene, options.size);
   return report;

@@ -29,9 +29,9 @@ struct AtlasReport {
   std::string summary() const;  ///< one line for the user
 };
 
-/// The automatic source passes over a UV set whose most dense texels are more than so many times as dense as
-/// its least dense (TexelDensity). docs/decisions/004-uneven-uv-sets.md
-inline constexpr double kMostUneven = 8;
+/// The automatic source passes over a UV set that gives a hundredth of the surface less than the mean density
+/// divided by this. docs/decisions/004-starved-uv-sets.md
+inline constexpr double kMostStarved = 8;
 
 /// Sets Vertex::atlasUv; charting adds vertices. Errors: ExitCode::unsupported if the source is a UV set that
 /// cannot be the atlas; ExitCode::interrupted.

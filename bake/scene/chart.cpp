@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 #include <tuple>
 
@@ -83,6 +82,26 @@ void turnUpright(Chart& chart) {
   chart.size = best.size;
 }
 
+/// Walks the chart breadth first from `starts`; returns the triangles in the order they are reached, and in
+/// `source` the start that reached each.
+std::vector<uint32_t> flood(const ChartMesh& mesh, const Chart& chart, std::vector<uint32_t> starts,
+                            std::vector<uint32_t>& source) {
+  std::vector<uint32_t> order = std::move(starts);
+  for (const uint32_t start : order) source[start] = start;
+  for (size_t i = 0; i < order.size(); ++i) {
+    const uint32_t from = order[i];
+    for (const uint32_t next : mesh.neighbour[chart.triangles[from]]) {
+      const auto at = std::lower_bound(chart.triangles.begin(), chart.triangles.end(), next);
+      if (at == chart.triangles.end() || *at != next) continue;
+      const auto j = uint32_t(at - chart.triangles.begin());
+      if (source[j] != asset::kNone) continue;
+      source[j] = source[from];
+      order.push_back(j);
+    }
+  }
+  return order;
+}
+
 }  // namespace
 
 Chart flatten(const ChartMesh& mesh, std::vector<uint32_t> triangles) {
@@ -118,27 +137,27 @@ std::vector<ivec2> snap(const Chart& chart, double unitsPerMetre) {
 std::pair<std::vector<uint32_t>, std::vector<uint32_t>> splitBetween(const ChartMesh& mesh,
                                                                      const Chart& chart, uint32_t a,
                                                                      uint32_t b) {
-  enum : uint8_t { kOpen, kFirst, kSecond };
-  std::vector<uint8_t> part(chart.triangles.size(), kOpen);
-  part[a] = kFirst;
-  part[b] = kSecond;
-  std::deque<uint32_t> queue = {a, b};
-  while (!queue.empty()) {
-    const uint32_t i = queue.front();
-    queue.pop_front();
-    for (const uint32_t next : mesh.neighbour[chart.triangles[i]]) {
-      const auto at = std::lower_bound(chart.triangles.begin(), chart.triangles.end(), next);
-      if (at == chart.triangles.end() || *at != next) continue;
-      const auto j = uint32_t(at - chart.triangles.begin());
-      if (part[j] != kOpen) continue;
-      part[j] = part[i];
-      queue.push_back(j);
-    }
-  }
+  std::vector<uint32_t> source(chart.triangles.size(), asset::kNone);
+  flood(mesh, chart, {a, b}, source);
   std::pair<std::vector<uint32_t>, std::vector<uint32_t>> parts;
-  for (size_t i = 0; i < part.size(); ++i)
-    (part[i] == kFirst ? parts.first : parts.second).push_back(chart.triangles[i]);
+  for (size_t i = 0; i < source.size(); ++i)
+    (source[i] == a ? parts.first : parts.second).push_back(chart.triangles[i]);
   return parts;
+}
+
+std::pair<std::vector<uint32_t>, std::vector<uint32_t>> halve(const ChartMesh& mesh, const Chart& chart) {
+  std::vector<uint32_t> source(chart.triangles.size(), asset::kNone);
+  const uint32_t end = flood(mesh, chart, {0}, source).back();
+  std::fill(source.begin(), source.end(), asset::kNone);
+  std::vector<uint32_t> order = flood(mesh, chart, {end}, source);
+  for (uint32_t i = 0; i < source.size(); ++i)
+    if (source[i] == asset::kNone) order.push_back(i);
+  std::vector<uint32_t> first, second;
+  for (size_t i = 0; i < order.size(); ++i)
+    (2 * i < order.size() ? first : second).push_back(chart.triangles[order[i]]);
+  std::sort(first.begin(), first.end());
+  std::sort(second.begin(), second.end());
+  return {std::move(first), std::move(second)};
 }
 
 }  // namespace boxlight

@@ -44,4 +44,8 @@ std::pair<std::vector<uint32_t>, std::vector<uint32_t>> splitBetween(const Chart
                                                                      const Chart& chart, uint32_t a,
                                                                      uint32_t b);
 
+/// The triangles of a chart in two lists of equal length: those first reached from one end of it, and the
+/// rest.
+std::pair<std::vector<uint32_t>, std::vector<uint32_t>> halve(const ChartMesh& mesh, const Chart& chart);
+
 }  // namespace boxlight

@@ -2,6 +2,7 @@
 #include "bake/scene/chart_pack.h"
 
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <tuple>
 
@@ -27,9 +28,8 @@ struct Rectangle {
 /// How charts may be laid out, apart from the density.
 struct Terms {
   uint32_t atlasSize;
-  uint32_t block;   // rectangles start at its multiples, and two blocks are between them
-  double crumb;     // texels: charts no larger share rectangles
-  bool everything;  // one rectangle for all charts
+  uint32_t block;  // rectangles start at its multiples, and two blocks are between them
+  double crumb;    // texels: charts no larger share rectangles; infinite: all share one
 };
 
 class Layout {
@@ -67,7 +67,7 @@ class Layout {
       area += double(blocks.back().size.x) * blocks.back().size.y;
     }
     if (area > double(side) * side || !packRectangles(blocks, side)) return false;
-    packing = {density, 2 * terms_.block, uint32_t(rectangles.size()), 0, {}};
+    packing = {density, 2 * terms_.block, uint32_t(rectangles.size()), 0, terms_.crumb, {}};
     packing.origin.resize(charts_.size());
     for (size_t i = 0; i < rectangles.size(); ++i)
       for (size_t k = 0; k < rectangles[i].charts.size(); ++k) {
@@ -85,9 +85,7 @@ class Layout {
     return glm::max(charts_[chart].size * density, dvec2(kLeastExtent * unit()));
   }
 
-  bool isCrumb(dvec2 size) const {
-    return terms_.everything || size.x <= terms_.crumb || size.y <= kThin * terms_.crumb;
-  }
+  bool isCrumb(dvec2 size) const { return size.x <= terms_.crumb || size.y <= kThin * terms_.crumb; }
 
   std::vector<Rectangle> cut(double density) const {
     std::vector<Rectangle> rectangles;
@@ -104,9 +102,9 @@ class Layout {
         rectangles.push_back({size, {chart}, {dvec2(0)}});
         continue;
       }
-      const bool isKin = run.empty() || kin_[run.back()].key == kin_[chart].key;
+      const bool isKin = run.empty() || kin_[run.back()].key == kin_[chart].key || std::isinf(terms_.crumb);
       const double full = 4 * terms_.crumb * terms_.crumb;
-      if (!terms_.everything && (!isKin || area + size.x * size.y > full)) close();
+      if (!isKin || area + size.x * size.y > full) close();
       run.push_back(chart);
       area += (size.x + kAir * unit()) * (size.y + kAir * unit());
     }
@@ -176,17 +174,18 @@ Packing pack(std::span<const Chart> charts, std::span<const ChartKin> kin, const
 }  // namespace
 
 Packing packCharts(std::span<const Chart> charts, std::span<const ChartKin> kin, uint32_t atlasSize) {
-  const Packing gutterless = pack(charts, kin, {atlasSize, 1, 0, true});
+  constexpr double kEvery = std::numeric_limits<double>::infinity();
+  const Packing gutterless = pack(charts, kin, {atlasSize, 1, kEvery});
   double crumb = 1;
   Packing best;
   for (; crumb <= atlasSize; crumb *= 2) {
-    best = pack(charts, kin, {atlasSize, 1, crumb, false});
+    best = pack(charts, kin, {atlasSize, 1, crumb});
     if (best.texelsPerMetre >= kWorthwhile * gutterless.texelsPerMetre) break;
   }
   if (crumb > atlasSize) return gutterless;
   for (const uint32_t block : {4u, 2u}) {
     if (atlasSize % block != 0) continue;
-    Packing wide = pack(charts, kin, {atlasSize, block, crumb, false});
+    Packing wide = pack(charts, kin, {atlasSize, block, crumb});
     if (wide.texelsPerMetre >= kGutterPrice * best.texelsPerMetre) return wide;
   }
   return best;

@@ -19,6 +19,7 @@ struct Packing {
   uint32_t gutter = 0;        ///< 2, 4 or 8 texels
   uint32_t rectangles = 0;
   uint32_t shared = 0;        ///< charts that share their rectangle with others
+  double crumb = 0;           ///< texels: charts up to this long, or an eighth as high, may share
   std::vector<dvec2> origin;  ///< of each chart, texels
 };
 

@@ -2,6 +2,8 @@
 #include "bake/scene/charting.h"
 
 #include <cmath>
+#include <iterator>
+#include <optional>
 
 #include "bake/scene/chart.h"
 #include "bake/scene/chart_grow.h"
@@ -10,8 +12,8 @@
 namespace boxlight {
 namespace {
 
-constexpr int kMostRounds = 8;   // of packing and mending; afterwards what is still wrong is taken apart
-constexpr int kMostSplits = 24;  // of a chart after another
+constexpr int kMostRounds = 8;    // of packing and mending; afterwards what is still wrong is taken apart
+constexpr int kGuidedSplits = 6;  // of one chart between triangles that overlap; afterwards it is halved
 
 /// Every third bit of 63 is one of x.
 uint64_t spread(uint64_t x) {
@@ -19,6 +21,8 @@ uint64_t spread(uint64_t x) {
   for (int bit = 0; bit < 21; ++bit) result |= (x >> bit & 1) << (3 * bit);
   return result;
 }
+
+using TriangleLists = std::vector<std::vector<uint32_t>>;
 
 class Charter {
  public:
@@ -34,7 +38,8 @@ class Charter {
     }
     progress.advance(mesh_.size());
     write();
-    return {uint32_t(charts_.size()), packing_.shared, packing_.gutter, packing_.texelsPerMetre};
+    return {uint32_t(charts_.size()), packing_.shared, packing_.crumb, packing_.gutter,
+            packing_.texelsPerMetre};
   }
 
  private:
@@ -62,48 +67,52 @@ class Charter {
   bool mend(bool takeApart) {
     std::vector<Chart> sound;
     const size_t before = charts_.size();
-    std::vector<std::pair<Chart, int>> open;
+    std::vector<std::pair<Chart, int>> open;  // with how often they have been split
     for (Chart& chart : charts_) {
       open.emplace_back(std::move(chart), 0);
       while (!open.empty()) {
         auto [next, splits] = std::move(open.back());
         open.pop_back();
-        for (std::vector<uint32_t>& part : faults(next, takeApart || splits >= kMostSplits))
+        TriangleLists parts = splitIfFaulty(next, splits, takeApart);
+        if (parts.empty()) sound.push_back(std::move(next));
+        for (std::vector<uint32_t>& part : parts)
           open.emplace_back(flatten(mesh_, std::move(part)), splits + 1);
-        if (!next.triangles.empty()) sound.push_back(std::move(next));
       }
     }
     charts_.swap(sound);
     return charts_.size() != before;
   }
 
-  /// The parts of a chart that is not sound, which is then empty; none if it is.
-  std::vector<std::vector<uint32_t>> faults(Chart& chart, bool takeApart) {
+  /// The parts of a chart that is not sound; none if it is.
+  TriangleLists splitIfFaulty(const Chart& chart, int splits, bool takeApart) const {
     throwIfInterrupted("interrupted: no asset was written; run the same command again");
     if (chart.triangles.size() == 1) return {};
     const std::vector<ivec2> points = snap(chart, unitsPerMetre());
-    std::vector<std::vector<uint32_t>> parts;
-    if (const std::vector<uint32_t> flipped = findFlipped(chart, points); !flipped.empty()) {
-      std::vector<uint32_t> rest;
-      for (uint32_t i = 0, f = 0; i < chart.triangles.size(); ++i) {
-        const bool alone = takeApart || (f < flipped.size() && flipped[f] == i);
-        f += f < flipped.size() && flipped[f] == i;
-        if (alone) {
-          parts.push_back({chart.triangles[i]});
-        } else {
-          rest.push_back(chart.triangles[i]);
-        }
-      }
-      if (!rest.empty()) parts.push_back(std::move(rest));
-    } else if (const auto overlap = findOverlap(chart, points)) {
-      if (takeApart) {
-        for (const uint32_t t : chart.triangles) parts.push_back({t});
-      } else {
-        auto [first, second] = splitBetween(mesh_, chart, overlap->first, overlap->second);
-        parts = {std::move(first), std::move(second)};
-      }
-    }
-    if (!parts.empty()) chart = {};
+    const std::vector<uint32_t> flipped = findFlipped(chart, points);
+    const auto overlap = flipped.empty() ? findOverlap(chart, points) : std::nullopt;
+    if (flipped.empty() && !overlap) return {};
+    if (takeApart) return takeOut(chart, chart.triangles);
+    if (!overlap) return takeOut(chart, flippedTriangles(chart, flipped));
+    auto [first, second] = splits < kGuidedSplits
+                               ? splitBetween(mesh_, chart, overlap->first, overlap->second)
+                               : halve(mesh_, chart);
+    return {std::move(first), std::move(second)};
+  }
+
+  static std::vector<uint32_t> flippedTriangles(const Chart& chart, const std::vector<uint32_t>& flipped) {
+    std::vector<uint32_t> triangles;
+    for (const uint32_t i : flipped) triangles.push_back(chart.triangles[i]);
+    return triangles;
+  }
+
+  /// Each of the triangles `alone`, and the rest.
+  static TriangleLists takeOut(const Chart& chart, const std::vector<uint32_t>& alone) {
+    TriangleLists parts;
+    for (const uint32_t t : alone) parts.push_back({t});
+    std::vector<uint32_t> rest;
+    std::set_difference(chart.triangles.begin(), chart.triangles.end(), alone.begin(), alone.end(),
+                        std::back_inserter(rest));
+    if (!rest.empty()) parts.push_back(std::move(rest));
     return parts;
   }
 

@@ -10,6 +10,7 @@ namespace boxlight {
 struct Charting {
   uint32_t charts = 0;
   uint32_t shared = 0;        ///< charts that share a rectangle of the atlas with others
+  double crumb = 0;           ///< texels: charts up to this long, or an eighth as high, may share
   uint32_t gutter = 0;        ///< texels between rectangles: 2, 4 or 8 (chart_pack.h)
   double texelsPerMetre = 0;  ///< where the texel scale is 1, before projection shortens it
 };

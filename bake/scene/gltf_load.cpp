@@ -76,7 +76,14 @@ class SceneBuilder {
     }
     droppedTriangles_ += placement.droppedTriangles;
     replacedNormals_ += placement.replacedNormals;
+    setTexelScale(instance.texelScale);
     append(mesh, material, place);
+  }
+
+  /// Of the triangles from here on.
+  void setTexelScale(float scale) {
+    const float last = scene_.texelScales.empty() ? 1.0f : scene_.texelScales.back().scale;
+    if (scale != last) scene_.texelScales.push_back({uint32_t(scene_.triangles.size()), scale});
   }
 
   asset::MaterialExtension extensionOf(uint32_t material) const {
@@ -164,6 +171,7 @@ class SceneBuilder {
     if (!scene_.textureTransforms.empty()) hash(scene_.textureTransforms);
     hash(scene_.textures);
     hash(scene_.texels);
+    if (!scene_.texelScales.empty()) hash(scene_.texelScales);
   }
 
   const GltfDocument& file_;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bake/scene/gltf_error.h"
+#include "bake/scene/scene.h"
 
 namespace boxlight {
 namespace {
@@ -49,6 +50,22 @@ glm::dmat4 readTransform(const GltfDocument& file, int index) {
   return matrix;
 }
 
+/// The node's own texel scale, else its parent's.
+float readTexelScale(const GltfDocument& file, int index, float parent) {
+  constexpr const char* kKey = "boxlight_texel_scale";
+  const nlohmann::json& node = file.json["nodes"][size_t(index)];
+  const auto extras = node.find("extras");
+  if (extras == node.end() || !extras->is_object() || !extras->contains(kKey)) return parent;
+  const nlohmann::json& value = (*extras)[kKey];
+  if (!value.is_number() ||
+      !(value.get<double>() >= kLeastTexelScale && value.get<double>() <= kMostTexelScale)) {
+    failAt(ExitCode::invalidInput, file.path, fmt::format("{}.extras.{}", placeOf(index), kKey),
+           "must be a number from {} to {}; 1 leaves the texel density as it is", kLeastTexelScale,
+           kMostTexelScale);
+  }
+  return value.get<float>();
+}
+
 std::vector<int> rootNodes(const GltfDocument& file) {
   const tinygltf::Model& model = file.model;
   if (!model.scenes.empty()) return model.scenes[size_t(std::max(model.defaultScene, 0))].nodes;
@@ -73,10 +90,12 @@ std::vector<MeshInstance> collectInstances(const GltfDocument& file) {
   struct Visit {
     int node;
     glm::dmat4 parent;
+    float texelScale;
   };
   const std::vector<int> roots = rootNodes(file);
   std::vector<Visit> stack;  // not recursion: a hostile tree is as deep as it has nodes
-  for (auto root = roots.rbegin(); root != roots.rend(); ++root) stack.push_back({*root, glm::dmat4(1.0)});
+  for (auto root = roots.rbegin(); root != roots.rend(); ++root)
+    stack.push_back({*root, glm::dmat4(1.0), 1.0f});
 
   std::vector<bool> visited(file.model.nodes.size(), false);
   std::vector<MeshInstance> instances;
@@ -90,9 +109,10 @@ std::vector<MeshInstance> collectInstances(const GltfDocument& file) {
     visited[size_t(visit.node)] = true;
     const tinygltf::Node& node = file.model.nodes[size_t(visit.node)];
     const glm::dmat4 toWorld = visit.parent * readTransform(file, visit.node);
-    if (node.mesh >= 0) instances.push_back({visit.node, node.mesh, toWorld});
+    const float texelScale = readTexelScale(file, visit.node, visit.texelScale);
+    if (node.mesh >= 0) instances.push_back({visit.node, node.mesh, toWorld, texelScale});
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child)
-      stack.push_back({*child, toWorld});
+      stack.push_back({*child, toWorld, texelScale});
   }
   return instances;
 }

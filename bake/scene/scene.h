@@ -10,11 +10,14 @@
 
 namespace boxlight {
 
+inline constexpr double kLeastTexelScale = 0.01, kMostTexelScale = 100;
+
 /// How much denser than elsewhere the texels of some triangles are to be, as a user asked.
 struct TexelScale {
   uint32_t firstTriangle;  ///< up to the next entry's
-  float scale;             ///< of texels per metre, in [1/100, 100]
+  float scale;             ///< of texels per metre
 };
+static_assert(sizeof(TexelScale) == 8);  // hashed as bytes
 
 /// A glTF scene flattened to world space, in the records that the asset stores: what is baked is what is
 /// shipped.

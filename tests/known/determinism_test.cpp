@@ -22,6 +22,15 @@ TEST(Determinism, BakeGivesTheSameBytesFromOneThreadAndTwo) {
   EXPECT_NE(readFile(one), readFile(other));
 }
 
+TEST(Determinism, ChartedBakeGivesTheSameBytesFromOneThreadAndTwo) {
+  const std::string scene = file("charted.glb"), one = file("charted1.ptb"), two = file("charted2.ptb");
+  run("boxlight_data", "scene sphere_on_ground " + scene);
+  const std::string bake = fmt::format("bake {} --atlas 16 --paths 16 --atlas-uv chart -q -o ", scene);
+  run("ptbake", bake + one + " --threads 1");
+  run("ptbake", bake + two + " --threads 2");
+  EXPECT_EQ(readFile(one), readFile(two));
+}
+
 TEST(Determinism, TruthGivesTheSameBytesFromOneThreadAndTwo) {
   const std::string scene = file("truth.glb"), light = file("truth-light.exr"), one = file("one.exr"),
                     two = file("two.exr");

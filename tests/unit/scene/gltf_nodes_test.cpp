@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "common/base/error.h"
 #include "gltf_builder.h"
 
 namespace boxlight::test {
@@ -104,6 +105,34 @@ TEST(GltfNodes, DeepTreesDoNotNeedStack) {
   nodes[50000]["mesh"] = 0;
   builder.json["nodes"] = nodes;
   EXPECT_EQ(builder.load().triangles.size(), 1u);
+}
+
+TEST(GltfNodes, TexelScaleIsInherited) {
+  GltfBuilder builder = oneTriangle();
+  const Json scaled = {{"boxlight_texel_scale", 3}};
+  builder.json["nodes"] = {{{"mesh", 0}},
+                           {{"children", {2, 3}}, {"extras", scaled}},
+                           {{"mesh", 0}},
+                           {{"mesh", 0}, {"extras", {{"boxlight_texel_scale", 0.5}}}},
+                           {{"mesh", 0}, {"extras", "not an object"}}};
+  builder.json["scenes"][0]["nodes"] = {0, 1, 4};
+  EXPECT_EQ(texelScaleOfTriangles(builder.load()), (std::vector<float>{1, 3, 0.5f, 1}));
+}
+
+TEST(GltfNodes, TexelScaleIsChecked) {
+  for (const Json& value :
+       {Json(0), Json(-1), Json(1000), Json("2"), Json(nullptr), Json(Json::array({1}))}) {
+    GltfBuilder builder = oneTriangle();
+    builder.json["nodes"][0]["extras"]["boxlight_texel_scale"] = value;
+    try {
+      builder.load();
+      ADD_FAILURE() << value;
+    } catch (const Error& error) {
+      EXPECT_EQ(error.code(), ExitCode::invalidInput);
+      EXPECT_NE(std::string(error.what()).find("nodes[0].extras.boxlight_texel_scale"), std::string::npos)
+          << error.what();
+    }
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bake/scene/uv_set.h"
 #include "common/base/error.h"
 #include "tests/support/scenes.h"
 
@@ -22,9 +23,9 @@ Scene twoQuads(vec2 secondMin, vec2 secondMax) {
 TEST(Atlas, AcceptsASetThatTouchesItselfOnlyAtEdges) {
   Scene scene = twoQuads(vec2(0.5f, 0), vec2(1));
   const UvSetReport report = inspectUvSet(scene, 0);
-  EXPECT_TRUE(report.usable());
+  EXPECT_EQ(report.fault(), "");
   EXPECT_EQ(report.overlap, 0);  // shared edges and diagonals are counted once
-  EXPECT_EQ(chooseAtlas(scene), 0u);
+  EXPECT_EQ(chooseAtlas(scene, {}).uvSet, 0u);
 }
 
 TEST(Atlas, MeasuresOverlap) {
@@ -37,21 +38,45 @@ TEST(Atlas, RefusesWhatLeavesTheUnitSquareOrHasNoArea) {
   EXPECT_NEAR(inspectUvSet(twoQuads(vec2(0.7f), vec2(0.7f)), 0).collapsed, 0.5, 1e-6);
 }
 
-TEST(Atlas, FallsBackToTheSecondSetAndSaysWhyNoneFits) {
+TEST(Atlas, FallsBackToTheSecondSet) {
   Scene scene = twoQuads(vec2(0.25f, 0), vec2(0.75f, 1));
-  try {
-    chooseAtlas(scene);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.code(), ExitCode::unsupported);
-    EXPECT_NE(std::string(error.what()).find("TEXCOORD_0 overlaps itself on 33.3 %"), std::string::npos)
-        << error.what();
-    EXPECT_NE(std::string(error.what()).find("TEXCOORD_1 is missing"), std::string::npos);
-  }
   const Scene good = twoQuads(vec2(0.5f, 0), vec2(1));
   for (size_t i = 0; i < scene.vertices.size(); ++i)
     for (int k = 0; k < 2; ++k) scene.vertices[i].uv[1][k] = good.vertices[i].uv[0][k];
   scene.hasTexcoord[1] = true;
-  EXPECT_EQ(chooseAtlas(scene), 1u);
+  EXPECT_EQ(chooseAtlas(scene, {}).uvSet, 1u);
   EXPECT_EQ(scene.vertices[5].atlasUv[0], good.vertices[5].uv[0][0]);
+}
+
+TEST(Atlas, ChartsWhereNoSetFitsAndSaysWhy) {
+  Scene scene = twoQuads(vec2(0.25f, 0), vec2(0.75f, 1));
+  const AtlasReport report = chooseAtlas(scene, {});
+  EXPECT_EQ(report.uvSet, asset::kNone);
+  EXPECT_EQ(report.charting.charts, 2u);
+  EXPECT_EQ(report.reason,
+            "TEXCOORD_0 overlaps itself on 33.3 % of its area; TEXCOORD_1 is missing on some primitive");
+}
+
+TEST(Atlas, ChartsWhereASetStarvesPartOfTheSurface) {
+  // Two squares of equal size, the second with a twentieth and a fifth of the first one's texels per metre.
+  for (const float side : {0.045f, 0.18f}) {
+    Scene scene = test::makeScene(test::lambert());
+    test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2}, vec2(0), vec2(0.9f));
+    test::addQuad(scene, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2}, vec2(1 - side / 2), vec2(1));
+    const AtlasReport report = chooseAtlas(scene, {});
+    EXPECT_EQ(report.uvSet, side < 0.1f ? asset::kNone : 0u) << report.summary();
+  }
+}
+
+TEST(Atlas, AnAskedSetMustFit) {
+  Scene scene = twoQuads(vec2(0.25f, 0), vec2(0.75f, 1));
+  try {
+    chooseAtlas(scene, {.source = AtlasSource::texcoord0});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.code(), ExitCode::unsupported);
+    EXPECT_NE(std::string(error.what()).find("TEXCOORD_0 cannot be the atlas: it overlaps itself on 33.3 %"),
+              std::string::npos)
+        << error.what();
+  }
 }

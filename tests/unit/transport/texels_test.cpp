@@ -98,3 +98,12 @@ TEST(Texels, SurvivesScalesWhoseSquaresLeaveTheRangeOfFloats) {
     EXPECT_TRUE(x > 0 && x < 0.5f * scale) << x;
   }
 }
+
+TEST(Texels, ATriangleWithoutAtlasAreaBelongsToTheTexelItLiesIn) {
+  Scene scene = test::makeScene(test::lambert());
+  test::addQuad(scene, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}, vec2(0.3f), vec2(0.3f));
+  const TexelMap map = makeTexels(scene, 10, 10);
+  ASSERT_EQ(map.texels.size(), 1u);
+  EXPECT_EQ(map.texels[0].x, 3u);
+  EXPECT_NEAR(map.footprint(map.texels[0]).back().area, 1, 1e-6);
+}
