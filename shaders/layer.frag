@@ -9,8 +9,9 @@
 
 layout(std430, binding = kBindLayerDepths) readonly buffer LayerDepths { float layerDepths[]; };
 layout(location = 0) flat in uint triangleIn;
-layout(location = 1) in vec2 weightIn;
 layout(location = 0) out uvec2 layerOut;
+
+const float kSolid = 1.0 - 1e-6;  // interpolated vertex alphas of 1 may miss it by a rounding error
 
 bool isBehindLastLayer(uint at, float depth) {
   if (layersDrawn == 0) return true;
@@ -27,7 +28,9 @@ void main() {
   uint at = pixel.y * tile.size.x * frame.samples + pixel.x;
   if (depth < layerDepths[at] || !isBehindLastLayer(at, depth)) discard;
   uvec4 triangle = triangles[triangleIn];
-  float alpha = sampleAlpha(materials[triangle.w], triangle.xyz, vec3(1.0 - weightIn.x - weightIn.y, weightIn));
+  // The rasteriser's own weights depend on where an image tile begins, in the last digits.
+  vec2 position = gl_FragCoord.xy / float(frame.samples) + vec2(tile.origin);
+  float alpha = sampleAlpha(materials[triangle.w], triangle.xyz, hitWeights(loadPlane(triangle.xyz), rayDirection(position)));
   if (alpha <= 0.0) discard;
-  layerOut = uvec2(triangleIn + 1, floatBitsToUint(min(alpha, 1.0)));
+  layerOut = uvec2(triangleIn + 1, floatBitsToUint(alpha < kSolid ? alpha : 1.0));
 }

@@ -6,11 +6,9 @@
 
 layout(std430, binding = kBindBlended) readonly buffer Blended { uint blended[]; };
 layout(location = 0) flat out uint triangleOut;
-layout(location = 1) out vec2 weightOut;  // barycentric, of the second and third vertex
 
 void main() {
   uint t = blended[uint(gl_VertexIndex) / 3], corner = uint(gl_VertexIndex) % 3;
   triangleOut = t;
-  weightOut = vec2(corner == 1, corner == 2);
   gl_Position = projectCorner(triangles[t], corner, false);
 }

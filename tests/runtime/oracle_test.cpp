@@ -206,6 +206,7 @@ TEST_F(OracleTest, EmittedRadianceDoesNotDependOnTheLight) {
   square.atlasEdge = 20;
   square.glossyBoxes = 4;
   square.diffuseBoxes = 3;
+  square.extensions.resize(1);
   const auto reader = writeSynthetic(file("emit.ptb"), square.makeAsset(), emittingKernel);
   settings_.camera.eye = {0.3f, 1.5f, 0.7f};
   settings_.camera.tanHalfFov = 1.5f;
@@ -229,6 +230,7 @@ TEST_F(OracleTest, EmittedRadianceOfOneKindOfStreamAlone) {
   Square square;
   square.atlasEdge = 8;
   square.glossyBoxes = 2;
+  square.extensions.resize(1);
   const asset::Asset asset = square.makeAsset();
   const auto kernel = [&](uint32_t stream, uint32_t record, uint32_t slot) {
     return stream == asset.diffuseStream() ? packBox(matchedBox(stream, record, slot))
