@@ -110,3 +110,11 @@ TEST_P(Renders, AgreeWithThePlainestEstimator) {
 
 INSTANTIATE_TEST_SUITE_P(Materials, Renders, ::testing::ValuesIn(test::sceneMaterials()),
                          [](const auto& one) { return one.param.name; });
+
+TEST(RenderGlass, RoughBallAgreesWithThePlainestEstimator) {
+  test::SceneMaterial glass = test::glassVolume(1);
+  glass.extension.absorption[0] = 0.5f;
+  Scene scene = glass.scene();
+  test::addSphere(scene, {0, 0.3f, 0}, 0.9f, 128);
+  expectSamePicture(scene, 2, 256, 16384);
+}
