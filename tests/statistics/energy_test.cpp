@@ -226,3 +226,57 @@ TEST(KnownAnswer, BeyondTheCriticalAngleEverythingIsReflected) {
   EXPECT_NEAR(Fresnel(m, leaving, 1).dielectric(inside), Fresnel(m, {1.5f, false}, 1).dielectric(outside),
               1e-5f);
 }
+
+// The whole stack against the pixel's own formula (docs/theory.md, section 7), written out again: every
+// weight, tint and layer.
+TEST(KnownAnswer, LayersAddUpAsThePixelTakesThem) {
+  const MaterialSample stacks[] = {
+      {.baseColor = {0.9f, 0.5f, 0.2f}, .roughness = 0.5f},
+      {.baseColor = {0.9f, 0.5f, 0.2f}, .metallic = 0.4f, .roughness = 0.8f, .multipleScattering = true},
+      {.baseColor = {0.9f, 0.5f, 0.2f}, .specular = 0.6f, .specularColor = {0.2f, 1, 3}, .ior = 2},
+      {.baseColor = {0.9f, 0.5f, 0.2f}, .roughness = 0.6f, .clearcoat = 0.7f, .clearcoatRoughness = 0.3f},
+      {.baseColor = {0.9f, 0.5f, 0.2f}, .sheenColor = {0.9f, 0.3f, 0.1f}, .sheenRoughness = 0.7f},
+      {.baseColor = {0.9f, 0.5f, 0.2f},
+       .diffuseTransmission = 0.3f,
+       .diffuseTransmissionColor = {0.1f, 0.8f, 1}},
+      {.baseColor = {0.9f, 0.5f, 0.2f}, .roughness = 0.3f, .transmission = 0.6f},
+      {.baseColor = {0.9f, 0.5f, 0.2f},
+       .metallic = 0.2f,
+       .roughness = 0.4f,
+       .clearcoat = 1,
+       .clearcoatRoughness = 0.5f,
+       .sheenColor = {0.5f, 0.3f, 0.8f},
+       .sheenRoughness = 0.5f,
+       .diffuseTransmission = 0.5f,
+       .emission = {1, 2, 3}},
+  };
+  for (const MaterialSample& m : stacks)
+    for (const float cosine : {0.3f, 0.7f, 1.0f}) {
+      const float d0 = (m.ior - 1) * (m.ior - 1) / ((m.ior + 1) * (m.ior + 1));
+      const Rgb dielectric = glm::min(d0 * m.specularColor, Rgb(1));
+      const float strongest = maxComponent(dielectric);
+      const Rgb f0 = glm::mix(m.specular * dielectric, m.baseColor, m.metallic);
+      const vec2 ab = albedoTable().specular(m.roughness, cosine);
+      const float f90 = glm::mix(m.specular, 1.0f, m.metallic);
+      Rgb reflected = f0 * ab.x + f90 * ab.y;
+      if (m.multipleScattering) reflected *= Rgb(1) + f0 * (1 / (ab.x + ab.y) - 1);
+      const Rgb passed = m.transmission * (1 - m.metallic) * m.baseColor *
+                         (ab.x * (1 - m.specular * strongest) + ab.y * (1 - m.specular));
+      const float kd = 1 - m.specular * (strongest + (1 - strongest) * albedoTable().diffuseFresnel(cosine));
+      const Rgb scattered = kd * (1 - m.metallic) * (1 - m.transmission) *
+                            glm::mix(m.baseColor, m.diffuseTransmissionColor, m.diffuseTransmission);
+      const float sheenAlbedo = sheen::albedo(m.sheenRoughness, cosine);
+      const float coat = m.clearcoat * (0.04f + 0.96f * std::pow(1 - cosine, 5.0f));
+      const vec2 coatAb = albedoTable().specular(m.clearcoatRoughness, cosine);
+      const float under = 1 - maxComponent(m.sheenColor) * sheenAlbedo;
+      const Rgb expected =
+          (1 - coat) * (under * (reflected + passed + scattered) + m.sheenColor * sheenAlbedo) +
+          coat * (coatAb.x + coatAb.y);
+      const Bsdf bsdf(m, test::directionAt(cosine));
+      const Rgb found = test::sampledAlbedo(bsdf, kAllLobes, 24, 256);
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(found[c], expected[c], 8e-3f) << &m - stacks << ", n.v " << cosine << ", channel " << c;
+        EXPECT_FLOAT_EQ(bsdf.emission()[c], (1 - coat) * m.emission[c]);
+      }
+    }
+}
