@@ -98,7 +98,7 @@ LobeSample Bsdf::sample(float choice, vec2 random, uint32_t lobes) const {
       continue;
     }
     LobeSample drawn = sampleLobe(i, std::clamp(left / probability_[i], 0.0f, 0x1.fffffep-1f), random);
-    drawn.weight *= weight_[i] * (total / probability_[i]);
+    if (drawn.delta) drawn.weight *= weight_[i] * (total / probability_[i]);
     return drawn;
   }
   return {};
@@ -157,7 +157,8 @@ LobeSample Bsdf::sampleLobe(uint32_t index, float choice, vec2 random) const {
       const vec3 view(glm::dot(wo_, coatTangent_), glm::dot(wo_, coatBitangent_), glm::dot(wo_, coatNormal_));
       const vec3 half = ggx::sampleVisibleNormal(view, coatAlpha_, random);
       const vec3 wi = glm::reflect(-view, half);
-      return {wi.x * coatTangent_ + wi.y * coatBitangent_ + wi.z * coatNormal_};
+      if (wi.z <= 0.0f) return {};
+      return onSide(wi.x * coatTangent_ + wi.y * coatBitangent_ + wi.z * coatNormal_, 1.0f);
     }
   }
 }

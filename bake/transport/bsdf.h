@@ -32,7 +32,7 @@ class Bsdf {
 
   /// The sum over `lobes` of f |cos wi|, and the density of sample() with the same lobes.
   LobeValue evaluate(vec3 wi, uint32_t lobes = kAllLobes) const;
-  /// A direction; evaluate may be zero there. `choice` picks the lobe.
+  /// A direction, or 0; evaluate may be zero there. `choice` picks the lobe.
   LobeSample sample(float choice, vec2 random, uint32_t lobes = kAllLobes) const;
 
   /// Directional albedo of the view-dependent lobes as the pixel multiplies it back.

@@ -56,8 +56,18 @@ LobeValue SpecularLobe::evaluate(vec3 wi) const {
   return ior_ > 0.0f ? refract(wi) : transmitThin(wi);
 }
 
+vec3 halfVector(vec3 a, vec3 b) {
+  const vec3 sum = a + b;
+  const vec2 difference = vec2(b) - vec2(a);
+  const float length2 = glm::dot(difference, difference);
+  if (length2 < 1.0f) return glm::normalize(sum);
+  // |b_t|^2 - |a_t|^2 = a.z^2 - b.z^2, and a_t x b_t, instead of the cancelling a_t + b_t
+  const float along = (a.z - b.z) * sum.z / length2, across = 2.0f * (a.x * b.y - a.y * b.x) / length2;
+  return glm::normalize(vec3(along * difference + across * vec2(difference.y, -difference.x), sum.z));
+}
+
 LobeValue SpecularLobe::reflect(vec3 wi) const {
-  const vec3 half = glm::normalize(wo_ + wi);
+  const vec3 half = halfVector(wo_, wi);
   const float vDotH = glm::dot(wo_, half);
   const float microfacets = ggx::distribution(half, alpha_) * ggx::visibility(wi, wo_, alpha_) * wi.z;
   const float density = ggx::visibleNormalDensity(wo_, half, alpha_) / (4.0f * vDotH);
@@ -65,7 +75,7 @@ LobeValue SpecularLobe::reflect(vec3 wi) const {
 }
 
 LobeValue SpecularLobe::transmitThin(vec3 wi) const {
-  const vec3 above = mirrored(wi), half = glm::normalize(wo_ + above);
+  const vec3 above = mirrored(wi), half = halfVector(wo_, above);
   const float vDotH = glm::dot(wo_, half);
   // D G1(v) G1(l) / (4 n.v) = density of the mirrored direction times G1(l)
   const float density = ggx::visibleNormalDensity(wo_, half, alpha_) / (4.0f * vDotH);
@@ -91,11 +101,11 @@ LobeValue SpecularLobe::refract(vec3 wi) const {
 LobeSample SpecularLobe::sample(float choice, vec2 random) const {
   const vec3 half = ggx::sampleVisibleNormal(wo_, alpha_, random);
   const float vDotH = glm::dot(wo_, half), reflected = reflectProbability(vDotH);
-  if (choice < reflected) return {glm::reflect(-wo_, half)};
-  if (ior_ == 0.0f) return {mirrored(glm::reflect(-wo_, half))};
+  if (choice < reflected) return onSide(glm::reflect(-wo_, half), 1.0f);
+  if (ior_ == 0.0f) return onSide(mirrored(glm::reflect(-wo_, half)), -1.0f);
   if (isMatched(ior_))
     return {-wo_, true, tint_ * ((1.0f - fresnel_.dielectric(vDotH)) / (1.0f - reflected))};
-  return {glm::refract(-wo_, half, 1.0f / ior_)};
+  return onSide(glm::refract(-wo_, half, 1.0f / ior_), -1.0f);
 }
 
 }  // namespace boxlight

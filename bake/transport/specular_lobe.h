@@ -16,13 +16,21 @@ struct LobeValue {
   }
 };
 
-/// A direction drawn from a lobe. A `delta` goes straight on: no density tells how likely it is, and `weight`
-/// is what value / density would be.
+/// A direction drawn from a lobe; 0 if it left the lobe's side of the surface: that path ends. A `delta` goes
+/// straight on: no density tells how likely it is, and `weight` is what value / density would be.
 struct LobeSample {
   vec3 wi{0.0f};
   bool delta = false;
   Rgb weight{0.0f};
 };
+
+/// `wi` as a sample of a lobe on the side of that sign. On the other side another lobe's density would be
+/// taken for its own, which would gain light.
+inline LobeSample onSide(vec3 wi, float side) { return wi.z * side > 0.0f ? LobeSample{wi} : LobeSample{}; }
+
+/// The unit vector halfway between two unit vectors above the horizon. Towards grazing angles its tilt comes
+/// from their cosines, which are precise there, not from tangential parts that cancel.
+vec3 halfVector(vec3 a, vec3 b);
 
 /// Rough reflection and transmission by GGX microfacets, seen from wo (z is the shading normal, wo.z > 0):
 ///   reflection F D V with height-correlated masking, as glTF has it (appendix B);

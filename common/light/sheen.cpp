@@ -18,8 +18,9 @@ float fittedL(float x, float alpha) {
 }
 
 float lambda(float cosine, float alpha) {
-  return cosine < 0.5f ? std::exp(fittedL(cosine, alpha))
-                       : std::exp(2.0f * fittedL(0.5f, alpha) - fittedL(1.0f - cosine, alpha));
+  return cosine < 0.5f
+             ? std::exp(fittedL(cosine, alpha))
+             : std::exp(2.0f * fittedL(0.5f, alpha) - fittedL(std::max(1.0f - cosine, 0.0f), alpha));
 }
 
 }  // namespace
