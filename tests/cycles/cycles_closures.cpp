@@ -28,15 +28,17 @@ LobeValue reflection(vec3 wo, vec3 wi, vec2 alpha) {
 }
 
 /// Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007, equations 17 and 21
-/// without the Fresnel term, in basic radiance.
+/// without the Fresnel term, in basic radiance. As Cycles does it, half vectors that face away from wo count,
+/// too: they refract into directions that no ray can be bent into, which sampling never finds, but light
+/// sampling does.
 LobeValue refraction(vec3 wo, vec3 wi, vec2 alpha, float ior) {
   if (wo.z <= 0.0f || wi.z >= 0.0f) return {};
-  vec3 half = glm::normalize(wo + ior * wi);
-  if (half.z < 0.0f) half = -half;
-  const float vDotH = glm::dot(wo, half), lDotH = glm::dot(wi, half);
-  if (vDotH <= 0.0f || lDotH >= 0.0f) return {};
-  const float root = vDotH + ior * lDotH;
-  const float density = ggx::visibleNormalDensity(wo, half, alpha) * ior * ior * -lDotH / (root * root);
+  const vec3 sum = wo + ior * wi;
+  const float square = glm::dot(sum, sum);
+  if (!(square > 0.0f)) return {};
+  const vec3 half = (sum.z < 0.0f ? -sum : sum) / std::sqrt(square);
+  const float density = ggx::masking(wo, alpha) * ggx::distribution(half, alpha) * ior * ior *
+                        std::abs(glm::dot(wo, half) * glm::dot(wi, half)) / (wo.z * square);
   return {Rgb(density * ggx::masking(vec3(wi.x, wi.y, -wi.z), alpha)), density};
 }
 
