@@ -6,26 +6,12 @@
     with_material.py IN.glb OUT.glb --metal R,G,B --roughness .2    metallic-roughness, metallic 1
 """
 import argparse
-import json
-import struct
+
+from glb import read_glb, write_glb
 
 
 def numbers(text):
     return [float(x) for x in text.split(",")]
-
-
-def read_glb(path):
-    data = open(path, "rb").read()
-    assert data[:4] == b"glTF", f"{path}: not a .glb file"
-    length = struct.unpack_from("<I", data, 12)[0]
-    return json.loads(data[20:20 + length]), data[20 + length:]
-
-
-def write_glb(path, document, rest):
-    text = json.dumps(document, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    header = struct.pack("<4sIIII", b"glTF", 2, 20 + len(text) + len(rest), len(text), 0x4E4F534A)
-    open(path, "wb").write(header + text + rest)
 
 
 def main():
