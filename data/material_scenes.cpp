@@ -192,7 +192,7 @@ Model makeBlended(const Parameters&) {
     material.alpha = 0.5f;
     material.alphaMode = "BLEND";
     material.doubleSided = true;
-    const vec3 corner(-0.075f + 0.03f * float(i), 0.006f + 0.013f * float(i), 0.055f + 0.01f * float(i));
+    const vec3 corner(-0.08f + 0.03f * float(i), 0.006f + 0.013f * float(i), 0.055f + 0.01f * float(i));
     parts.push_back({"pane", material, {rectangleChart(corner, {0.06f, 0, 0}, {0, 0.05f, 0})}});
     parts.back().charts[0].size *= 0.5f;
   }
