@@ -116,6 +116,18 @@ Image makeStudio() {
   });
 }
 
+/// Soft enough for gloss of any sharpness to show, strong enough from behind for what shines through.
+Image makeGallery() {
+  const Softbox boxes[] = {softbox({-2.0f, 2.2f, 1.7f}, 0.55f, 0.55f, {12.0f, 10.3f, 8.0f}),
+                           softbox({2.2f, 1.9f, -2.2f}, 0.7f, 0.7f, {11.0f, 13.0f, 16.0f})};
+  return paint(kDetailedSize, 4, [&](vec3 d) {
+    for (const Softbox& box : boxes)
+      if (sees(box, d)) return box.radiance;
+    const float up = 0.5f + 0.5f * d.y;
+    return glm::mix(Rgb(0.16f, 0.14f, 0.12f), Rgb(0.42f, 0.5f, 0.62f), up * up * (3 - 2 * up));
+  });
+}
+
 /// By the dominant axis of the direction: red, cyan, green, magenta, blue, yellow for +X, -X, +Y, -Y, +Z, -Z.
 Image makeAxes() {
   return paint({256, 128}, 1, [](vec3 d) {
@@ -160,6 +172,7 @@ const std::vector<EnvironmentRecipe>& environmentRecipes() {
   static const std::vector<EnvironmentRecipe> recipes = {
       {"sky", "clear afternoon with a sun disc of .27 degrees radius", makeSky},
       {"studio", "dark room with four softboxes", makeStudio},
+      {"gallery", "soft sky, a warm key from the left front, a cool softbox behind", makeGallery},
       {"axes", "one colour per dominant axis: +X red, -X cyan, +Y green, -Y magenta, +Z blue, -Z yellow",
        makeAxes},
       {"white", "radiance 1 everywhere", makeWhite},

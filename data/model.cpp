@@ -3,8 +3,8 @@
 
 #include <stb/stb_image_write.h>
 
+#include <algorithm>
 #include <cstring>
-#include <nlohmann/json.hpp>
 
 #include "common/base/error.h"
 #include "common/base/file.h"
@@ -101,22 +101,38 @@ class GlbWriter {
     root_["textures"].push_back(reference);
   }
 
+  /// Notes the names of extensions in use, each once.
+  void use(const std::string& extension) {
+    Json& used = root_["extensionsUsed"];
+    if (std::find(used.begin(), used.end(), extension) == used.end()) used.push_back(extension);
+  }
+
+  void setTexture(Json& owner, const char* key, int texture, const Material& material) {
+    if (texture < 0) return;
+    owner[key] = {{"index", texture}};
+    if (material.textureTransform.is_null()) return;
+    owner[key]["extensions"]["KHR_texture_transform"] = material.textureTransform;
+    use("KHR_texture_transform");
+  }
+
   size_t addMaterial(const Material& material) {
-    Json metalRough = {
-        {"baseColorFactor", {material.baseColor.x, material.baseColor.y, material.baseColor.z, 1}},
-        {"metallicFactor", material.metallic},
-        {"roughnessFactor", material.roughness}};
-    if (material.baseColorTexture >= 0)
-      metalRough["baseColorTexture"] = {{"index", material.baseColorTexture}};
-    if (material.metallicRoughnessTexture >= 0)
-      metalRough["metallicRoughnessTexture"] = {{"index", material.metallicRoughnessTexture}};
+    Json metalRough = {{"baseColorFactor",
+                        {material.baseColor.x, material.baseColor.y, material.baseColor.z, material.alpha}},
+                       {"metallicFactor", material.metallic},
+                       {"roughnessFactor", material.roughness}};
+    setTexture(metalRough, "baseColorTexture", material.baseColorTexture, material);
+    setTexture(metalRough, "metallicRoughnessTexture", material.metallicRoughnessTexture, material);
     Json json = {{"name", material.name}, {"pbrMetallicRoughness", metalRough}};
+    setTexture(json, "normalTexture", material.normalTexture, material);
+    if (material.emissive != Rgb(0.0f))
+      json["emissiveFactor"] = {material.emissive.x, material.emissive.y, material.emissive.z};
     if (material.doubleSided) json["doubleSided"] = true;
-    if (material.alphaMask) json["alphaMode"] = "MASK";
-    if (material.specular != 1) {
+    if (material.alphaMode != "OPAQUE") json["alphaMode"] = material.alphaMode;
+    if (material.specular != 1)
       json["extensions"]["KHR_materials_specular"]["specularFactor"] = material.specular;
-      root_["extensionsUsed"] = Json::array({"KHR_materials_specular"});
-    }
+    for (const auto& [name, extension] : material.extensions.items()) json["extensions"][name] = extension;
+    if (json.contains("extensions"))
+      for (const auto& [name, extension] : json["extensions"].items()) use(name);
     root_["materials"].push_back(json);
     return root_["materials"].size() - 1;
   }

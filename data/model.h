@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -20,12 +21,16 @@ struct Texture {
 struct Material {
   std::string name;
   Rgb baseColor{1.0f};  ///< linear
+  float alpha = 1;
   float metallic = 0;
   float roughness = 1;  ///< perceptual; GGX alpha is its square
   float specular = 1;   ///< KHR_materials_specular: 0 is a pure Lambert surface
-  int baseColorTexture = -1, metallicRoughnessTexture = -1;
+  int baseColorTexture = -1, metallicRoughnessTexture = -1, normalTexture = -1;
+  Rgb emissive{0.0f};  ///< linear, [0,1]
   bool doubleSided = false;
-  bool alphaMask = false;  ///< cutoff .5
+  std::string alphaMode = "OPAQUE";                                      ///< or MASK (cutoff .5), BLEND
+  nlohmann::ordered_json extensions = nlohmann::ordered_json::object();  ///< glTF's own, by name
+  nlohmann::ordered_json textureTransform;  ///< KHR_texture_transform of the three textures; null for none
 };
 
 struct Part {

@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "data/demo_scene.h"
+#include "data/material_scenes.h"
 #include "data/textures.h"
 
 namespace boxlight::data {
@@ -132,7 +133,7 @@ Model makeTexturedQuad(const Parameters&) {
 Model makeMaskedLeaf(const Parameters&) {
   Material material = lambert("leaf", {0.35f, 0.6f, 0.15f});
   material.doubleSided = true;
-  material.alphaMask = true;
+  material.alphaMode = "MASK";
   material.baseColorTexture = 0;
   Model model =
       onePart("leaf", material, {rectangleChart({-0.8f, 0.5f, 0.7f}, {1.6f, 0, 0}, {0, 0.6f, -1.4f}, 8)});
@@ -145,33 +146,43 @@ Model makeMaskedLeaf(const Parameters&) {
 }  // namespace
 
 const std::vector<SceneRecipe>& sceneRecipes() {
-  static const std::vector<SceneRecipe> recipes = {
-      {"teapot", "the demo: Newell's teapot in copper, three balls, a ground slab", demoSceneDefaults(),
-       makeDemoScene},
-      {"sphere", "convex Lambert sphere", {{"albedo", 1}}, makeSphere},
-      {"bowl", "open concave Lambert hemisphere, both sides seen", {{"albedo", 1}}, makeBowl},
-      {"plane", "2 m square facing +Y", {{"albedo", 1}, {"metallic", 0}, {"roughness", 0.5}}, makePlane},
-      {"plane_wall",
-       "strip of Lambert floor, x = .01 to 2.01, beside a black wall in x = 0, 4 km long",
-       {{"albedo", 1}, {"height", 2000}},
-       makePlaneWall},
-      {"mirror_sphere",
-       "nearly mirroring white metal",
-       {{"albedo", 1}, {"roughness", 0.05}},
-       makeMetalSphere},
-      {"ggx_sphere", "white metal", {{"albedo", 1}, {"roughness", 0.5}}, makeMetalSphere},
-      {"glossy_dielectric", "dielectric sphere", {{"albedo", 0.5}, {"roughness", 0.2}}, makeDielectricSphere},
-      {"sphere_on_ground",
-       "a Lambert (metallic 0) or metal sphere standing on Lambert ground",
-       {{"albedo", 0.8}, {"metallic", 0}, {"roughness", 0.3}},
-       makeSphereOnGround},
-      {"textured_box",
-       "metal box: checker base colour, roughness gradient, atlas in TEXCOORD_1",
-       {},
-       makeTexturedBox},
-      {"textured_quad", "Lambert square with a repeated checker, atlas in TEXCOORD_1", {}, makeTexturedQuad},
-      {"masked_leaf", "alpha MASK, double-sided, above Lambert ground", {}, makeMaskedLeaf},
-  };
+  static const std::vector<SceneRecipe> recipes = [] {
+    std::vector<SceneRecipe> all = {
+        {"teapot", "the demo: Newell's teapot in copper, three balls, a ground slab", demoSceneDefaults(),
+         makeDemoScene},
+        {"sphere", "convex Lambert sphere", {{"albedo", 1}}, makeSphere},
+        {"bowl", "open concave Lambert hemisphere, both sides seen", {{"albedo", 1}}, makeBowl},
+        {"plane", "2 m square facing +Y", {{"albedo", 1}, {"metallic", 0}, {"roughness", 0.5}}, makePlane},
+        {"plane_wall",
+         "strip of Lambert floor, x = .01 to 2.01, beside a black wall in x = 0, 4 km long",
+         {{"albedo", 1}, {"height", 2000}},
+         makePlaneWall},
+        {"mirror_sphere",
+         "nearly mirroring white metal",
+         {{"albedo", 1}, {"roughness", 0.05}},
+         makeMetalSphere},
+        {"ggx_sphere", "white metal", {{"albedo", 1}, {"roughness", 0.5}}, makeMetalSphere},
+        {"glossy_dielectric",
+         "dielectric sphere",
+         {{"albedo", 0.5}, {"roughness", 0.2}},
+         makeDielectricSphere},
+        {"sphere_on_ground",
+         "a Lambert (metallic 0) or metal sphere standing on Lambert ground",
+         {{"albedo", 0.8}, {"metallic", 0}, {"roughness", 0.3}},
+         makeSphereOnGround},
+        {"textured_box",
+         "metal box: checker base colour, roughness gradient, atlas in TEXCOORD_1",
+         {},
+         makeTexturedBox},
+        {"textured_quad",
+         "Lambert square with a repeated checker, atlas in TEXCOORD_1",
+         {},
+         makeTexturedQuad},
+        {"masked_leaf", "alpha MASK, double-sided, above Lambert ground", {}, makeMaskedLeaf},
+    };
+    all.insert(all.end(), materialSceneRecipes().begin(), materialSceneRecipes().end());
+    return all;
+  }();
   return recipes;
 }
 

@@ -48,4 +48,16 @@ Texture leafTexture(uint32_t size) {
   });
 }
 
+Texture bumpTexture(uint32_t size, uvec2 count) {
+  return paint(size, [&](float x, float y) {
+    const vec2 fromCentre = 2.0f * glm::fract(vec2(x, y) * vec2(count)) - 1.0f;
+    const float r = glm::length(fromCentre);
+    // Height cos^2(pi r / 2): level at the rim and at the top. glTF's y
+    // is up in the image.
+    const vec2 uphill = r > 0 && r < 1 ? -std::sin(kPi * r) * fromCentre / r : vec2(0.0f);
+    const vec3 normal = glm::normalize(vec3(-uphill.x, uphill.y, 1));
+    return vec4(0.5f + 0.5f * normal, 1);
+  });
+}
+
 }  // namespace boxlight::data

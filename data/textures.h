@@ -12,5 +12,7 @@ Texture checkerTexture(uint32_t size, uint32_t square);
 Texture roughnessTexture(uint32_t size);
 /// A leaf with holes: alpha 255 inside, 0 outside, white with darker veins.
 Texture leafTexture(uint32_t size);
+/// A tangent-space normal map of `count` round bumps across and down.
+Texture bumpTexture(uint32_t size, uvec2 count);
 
 }  // namespace boxlight::data
