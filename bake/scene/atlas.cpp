@@ -42,8 +42,8 @@ AtlasReport takeFirstGood(Scene& scene, uint32_t size) {
   for (uint32_t set = 0; set < 2; ++set) {
     std::string fault = tryUvSet(scene, set, report, size);
     if (fault.empty() && report.density.mean > kMostStarved * report.density.least)
-      fault =
-          fmt::format("has from {:.3g} to {:.3g} texels a metre", report.density.least, report.density.most);
+      fault = fmt::format("gives part of the surface {:.3g} texels a metre, {:.3g} in the mean",
+                          report.density.least, report.density.mean);
     if (fault.empty()) return {.uvSet = set, .density = report.density};
     report.reason += fmt::format("{}TEXCOORD_{} {}", set ? "; " : "", set, fault);
   }
