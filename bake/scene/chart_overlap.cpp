@@ -13,7 +13,7 @@ using Point = glm::i64vec2;
 using Pair = std::pair<uint32_t, uint32_t>;
 
 constexpr size_t kLeafTriangles = 12;
-constexpr size_t kBudgetPerTriangle = 150;  // visits of cells: a plain mesh takes about 40
+constexpr size_t kBudgetPerTriangle = 64;  // visits of cells: a plain mesh takes about 40
 
 int64_t cross2(Point a, Point b) { return a.x * b.y - a.y * b.x; }
 int64_t side(Point a, Point b, Point p) { return cross2(b - a, p - a); }
