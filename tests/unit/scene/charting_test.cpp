@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <map>
 #include <string>
 
+#include "common/base/error.h"
 #include "tests/support/meshes.h"
 #include "tests/support/scenes.h"
 #include "tests/unit/scene/atlas_check.h"
@@ -193,6 +196,23 @@ TEST(Charting, TexelScaleMakesTexelsDenser) {
     return std::hypot(a.atlasUv[0] - b.atlasUv[0], a.atlasUv[1] - b.atlasUv[1]) * 256 / 2;
   };
   EXPECT_NEAR(density(second) / density(0), 3, 1e-3);
+}
+
+/// In a process of its own: the signal is remembered for good.
+TEST(ChartingDeathTest, EndsAfterAnInterrupt) {
+  Scene scene = test::makeScene(test::lambert());
+  test::addTorus(scene, vec3(0), 1, 0.4f, 64);
+  const auto chart = [&scene] {
+    catchInterrupts();
+    std::raise(SIGINT);
+    try {
+      chartScene(scene, 64, ProgressStyle::none);
+    } catch (const Error& error) {
+      std::_Exit(int(error.code()));
+    }
+    std::_Exit(0);
+  };
+  EXPECT_EXIT(chart(), testing::ExitedWithCode(int(ExitCode::interrupted)), "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Charting, AnyMesh, testing::ValuesIn(kCases),
