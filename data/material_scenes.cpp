@@ -71,6 +71,7 @@ Model onPlate(std::vector<Part> parts) {
   model.parts = std::move(parts);
   model.parts.push_back(plate());
   model.textures = {checkerTexture(256, 32)};
+  model.textures[kChecker].nearest = false;  // edges as soft as a pixel
   model.textured = true;
   return model;
 }
@@ -103,7 +104,7 @@ Model makeClearcoat(const Parameters&) {
       {"clearcoatRoughnessFactor", 0.1},
       {"clearcoatNormalTexture", {{"index", 1}, {"scale", 0.35}}}};
   Model model = bead(material);
-  model.textures.push_back(bumpTexture(256, {14, 9}));
+  model.textures.push_back(bumpTexture(256, {10, 7}));
   return model;
 }
 
@@ -171,13 +172,13 @@ Model makeLeaf(const Parameters&) {
       {"diffuseTransmissionFactor", 0.5}, {"diffuseTransmissionColorFactor", {0.5, 0.75, 0.1}}};
   Chart sheet = gridChart(24, 24, {0.095f, 0.1f}, [](double u, double v, vec3& position, vec3& normal) {
     const double bend = 1.6, radius = 0.095 / bend, angle = (u - 0.5) * bend;  // radians, metres
-    position = {float(radius * std::sin(angle)), float(0.108 - 0.104 * v),
-                float(radius * (std::cos(angle) - 1) - 0.03 + 0.05 * v)};
-    const double tilt = 0.05 / 0.104;  // the sheet leans back
+    const double height = 0.1, tilt = 0.48;                                    // it leans back
+    position = {float(radius * std::sin(angle)), float(0.004 + height * v),
+                float(radius * (std::cos(angle) - 1) + 0.02 - tilt * height * v)};
     normal =
         glm::normalize(vec3(float(std::sin(angle)), float(tilt * std::cos(angle)), float(std::cos(angle))));
   });
-  for (vec2& uv : sheet.atlas) uv.y = 1 - uv.y;
+  for (vec2& uv : sheet.texcoords) uv.y = 1 - uv.y;  // images stand upright
   Model model = onPlate({{"leaf", material, {sheet}}});
   model.textures.push_back(leafTexture(256));
   return model;
@@ -232,7 +233,7 @@ Model makeTextured(const Parameters&) {
   material.textureTransform = {{"offset", {0.1, 0.05}}, {"rotation", 0.3}, {"scale", {3.0, 2.0}}};
   Model model = bead(material);
   model.textures.push_back(roughnessTexture(256));
-  model.textures.push_back(bumpTexture(256, {8, 8}));
+  model.textures.push_back(bumpTexture(256, {4, 4}));
   return model;
 }
 
