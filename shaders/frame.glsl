@@ -9,4 +9,7 @@ layout(std430, binding = kBindTables) readonly buffer Tables { float tables[]; }
 
 const float kPi = 3.14159265358979;
 
+/// In the shaded records: channel c of a record's gradient.
+uint gradientIndex(uint record, uint c) { return kShadedRadiances * frame.recordCount + kShadedGradients * record + c; }
+
 #endif

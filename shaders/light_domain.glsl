@@ -29,6 +29,18 @@ float cosineDifference(Latitudes l) {
 /// Steradians.
 float solidAngle(float du, Latitudes l) { return 2.0 * kPi * du * cosineDifference(l); }
 
+float cosPi(float x) { return x <= 0.5 ? sinPi(0.5 - x) : -sinPi(x - 0.5); }  // x in [0, 1]
+
+/// light_domain.h: meanDirection.
+vec3 meanDirection(float u, float du, Latitudes l) {
+  float extent = 0.5 * kPi * l.height, s = sinPi(0.5 * l.height), c = cosPi(0.5 * l.height);
+  float excess = extent < 0.05 ? 2.0 / 3.0 * extent * extent * extent : extent - s * c;
+  float middle = sinPi(min(min(l.v, l.below) + 0.5 * l.height, 0.5));
+  float ring = 2.0 * sinPi(0.5 * du) * cosPi(0.5 * du) / (kPi * du) * (middle * c + excess / (2.0 * middle * s));
+  float phi = 2.0 * kPi * (fract(u + 0.5 * du) - 0.5);
+  return vec3(ring * cos(phi), cosPi(l.v + 0.5 * l.height) * c, ring * sin(phi));
+}
+
 /// light_domain.h: directionToUv.
 vec2 directionToUv(vec3 d) {
   float u = 0.5 + atan(d.z, d.x) / (2.0 * kPi);

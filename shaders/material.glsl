@@ -24,7 +24,7 @@ struct Material {
 
 layout(std430, binding = kBindMaterials) readonly buffer Materials { Material materials[]; };
 
-const uint kDoubleSided = 1, kAlphaMask = 2, kAlphaBlend = 4, kUnlit = 8, kMultipleScattering = 32;  // asset::MaterialFlags
+const uint kDoubleSided = 1, kAlphaMask = 2, kAlphaBlend = 4, kUnlit = 8, kVolume = 16, kMultipleScattering = 32;  // asset::MaterialFlags
 
 /// asset::TextureTransform.
 struct TextureTransform {

@@ -5,15 +5,14 @@
 #include "extension_reflectance.glsl"
 
 /// glTF 2.0, appendix B, with KHR_materials_specular, and what extends it; docs/theory.md, section 7, has the formulas and
-/// directional_albedo.h the means that they take.
-Reflectance reflectance(uint index, SurfacePoint point, bool front, vec3 toEye) {
+/// directional_albedo.h the means that they take. `normal`: the shading normal of the seen side.
+Reflectance reflectance(uint index, SurfacePoint point, bool front, vec3 normal, vec3 toEye) {
   Material material = materials[index];
   ExtensionTextures textures;
   if (kExtended) textures = sampleExtension(index, point);
   Surface surface = sampleSurface(material, point);
   if (kExtended && (material.flags & kUnlit) != 0) return Reflectance(vec3(0.0), vec3(0.0), vec3(0.0), surface.baseColor);
-  float side = front ? 1.0 : -1.0;
-  float nDotV = max(dot(shadingNormal(material, point), toEye) * side, kMinimumCosine);
+  float nDotV = max(dot(normal, toEye), kMinimumCosine);
   if (kExtended) {
     surface.dielectricF0 =
         surface.specular * min(dielectricReflectance(materialExtensions[index].ior) * surface.specularColor, vec3(1.0));

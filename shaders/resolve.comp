@@ -9,8 +9,10 @@
 
 layout(constant_id = kConstantGlossy) const bool kGlossy = true;
 layout(constant_id = kConstantBackground) const bool kBackground = true;
+layout(constant_id = kConstantNormalMapped) const bool kNormalMapped = true;
 
 layout(local_size_x = kPixelGroup, local_size_y = kPixelGroup) in;
+layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord records[]; };
 layout(std430, binding = kBindMarks) readonly buffer Marks { uint marks[]; };
 layout(std430, binding = kBindShaded) readonly buffer Shaded { vec4 shaded[]; };
 layout(std430, binding = kBindBackground) readonly buffer Background { float background[]; };
@@ -39,9 +41,23 @@ struct FilteredRadiance {
   vec3 diffuse, glossy;
 };
 
+/// A normal that a normal map bends, on the side that is looked at; elsewhere the records' own are good enough.
+struct Bend {
+  bool bends;
+  vec3 normal;
+};
+
+/// Of a record's diffuse radiance, for another normal than its own: to first order, so that the mean over a texel stays what the
+/// bake measured there.
+vec3 diffuseChange(uint r, vec3 normal) {
+  vec3 change = normal - dot(normal, records[r].normal) * records[r].normal;
+  return vec3(dot(shaded[gradientIndex(r, 0)].xyz, change), dot(shaded[gradientIndex(r, 1)].xyz, change),
+              dot(shaded[gradientIndex(r, 2)].xyz, change));
+}
+
 /// The mean over those of the four records that were shaded. (All that exist were marked; should two shaders round a position to
 /// different texels, the filter shrinks instead of reading what was never written.)
-FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy) {
+FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy, Bend bend) {
   AtlasCorners corners = atlasCorners(uv, front);
   FilteredRadiance sum = FilteredRadiance(vec3(0.0), vec3(0.0));
   float total = 0.0;
@@ -49,11 +65,12 @@ FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy) {
     uint r = corners.record[k];
     if (r == kAbsent || marks[r] == 0) continue;
     total += corners.weight[k];
-    sum.diffuse += corners.weight[k] * shaded[2 * r].rgb;
-    if (withGlossy) sum.glossy += corners.weight[k] * shaded[2 * r + 1].rgb;
+    sum.diffuse += corners.weight[k] * shaded[kShadedRadiances * r].rgb;
+    if (kNormalMapped && bend.bends) sum.diffuse += corners.weight[k] * diffuseChange(r, bend.normal);
+    if (withGlossy) sum.glossy += corners.weight[k] * shaded[kShadedRadiances * r + 1].rgb;
   }
   float scale = total > 0.0 ? 1.0 / total : 0.0;
-  return FilteredRadiance(sum.diffuse * scale, sum.glossy * scale);
+  return FilteredRadiance(max(sum.diffuse * scale, 0.0), sum.glossy * scale);
 }
 
 /// Towards the eye, of the plane of a triangle where the ray through a pixel position meets it.
@@ -69,12 +86,18 @@ vec3 surfaceRadiance(uint index, vec2 position) {
     point.weightDy = planeWeights(plane, rayDirection(position + vec2(0.0, 1.0)));
   }
   bool front = seesFront(plane);
-  Reflectance factors = reflectance(triangle.w, point, front, -normalize(direction));
+  vec3 normal = shadingNormal(materials[triangle.w], point) * (front ? 1.0 : -1.0);
+  Reflectance factors = reflectance(triangle.w, point, front, normal, -normalize(direction));
+  Bend bend = Bend(materials[triangle.w].normalTexture.texture != kAbsent, normal);
   vec2 uv = interpolate2(triangle.xyz, point.weight, kAtlasUvAt);
-  FilteredRadiance seen = filterShaded(uv, front, kGlossy);
+  FilteredRadiance seen = filterShaded(uv, front, kGlossy, bend);
   vec3 radiance = factors.diffuse * seen.diffuse;
   if (kGlossy) radiance += factors.glossy * seen.glossy;
-  if (kOtherSide && showsOtherSide(triangle.w)) radiance += factors.transmitted * filterShaded(uv, !front, false).diffuse;
+  if (kOtherSide && showsOtherSide(triangle.w)) {
+    // What a medium scatters does not come straight from the light.
+    bend = Bend(bend.bends && (materials[triangle.w].flags & kVolume) == 0, -normal);
+    radiance += factors.transmitted * filterShaded(uv, !front, false, bend).diffuse;
+  }
   return kExtended ? radiance + factors.emission : radiance;
 }
 

@@ -11,6 +11,7 @@ layout(constant_id = 0) const bool kInterpolateWeight = false;
 layout(constant_id = 1) const uint kBoxPools = 1;
 layout(constant_id = 2) const bool kGlossy = true;
 layout(constant_id = 3) const bool kEmitters = true;  // has any kernel emitted radiance?
+layout(constant_id = 4) const bool kNormalMapped = true;
 
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord records[]; };
@@ -26,7 +27,8 @@ layout(std430, binding = kBindVisible) readonly buffer Visible {
 };
 layout(std430, binding = kBindShaded) writeonly buffer Shaded { vec4 shaded[]; };
 
-const float kHorizonCosine = 0.05;  // view_sphere.h
+const float kHorizonCosine = 0.05;        // view_sphere.h
+const float kLeastGradientCosine = 0.1;  // relight.h
 
 /// Where the boxes of one kernel lie.
 struct Kernel {
@@ -57,18 +59,33 @@ bool emits(Kernel kernel) { return kEmitters && kernel.present && isEmission(loa
 
 vec3 emittedRadiance(Kernel kernel) { return kernel.present ? unpackEmission(loadPacked(kernel, 0)) : vec3(0.0); }
 
-vec3 diffuseRadiance(GpuRecord record) {
+/// Of diffuse radiance: one column a channel is its gradient in the normal (relight.h: diffuseGradient).
+struct Diffuse {
+  vec3 radiance;
+  mat3 gradient;
+};
+
+/// What a box of this mean direction adds to the gradient.
+mat3 gradientTerm(vec3 normal, vec3 direction, vec3 radiance) {
+  float cosine = max(dot(normal, direction), 0.0);
+  return outerProduct(direction * (cosine / max(cosine * cosine, kLeastGradientCosine * kLeastGradientCosine)), radiance);
+}
+
+Diffuse diffuseRadiance(GpuRecord record) {
   uint boxes = tiles[record.tile].w;
   Kernel kernel = findKernel(frame.diffuseStream, record, boxes);
-  if (!kernel.present) return vec3(0.0);
+  Diffuse sum = Diffuse(vec3(0.0), mat3(0.0));
+  if (!kernel.present) return sum;
   bool emitting = emits(kernel);
-  vec3 sum = emitting ? emittedRadiance(kernel) : vec3(0.0);
+  if (emitting) sum.radiance = emittedRadiance(kernel);
   uint first = emitting ? 1 : 0;
   for (uint j = first; j < first + min(boxes - first, frame.boxLimit); ++j) {
     Box box = loadBox(kernel, j);
     float omega;
     vec3 light = integrateLight(box.u, box.du, box.latitudes, omega);
-    sum += box.energy * light / omega;
+    vec3 radiance = box.energy * light / omega;
+    sum.radiance += radiance;
+    if (kNormalMapped) sum.gradient += gradientTerm(record.normal, meanDirection(box.u, box.du, box.latitudes), radiance);
   }
   return sum;
 }
@@ -102,6 +119,8 @@ void main() {
   if (gl_GlobalInvocationID.x >= header.count) return;
   uint entry = visible[gl_GlobalInvocationID.x], r = entry & ~kLambertOnly;
   GpuRecord record = records[r];
-  shaded[2 * r] = vec4(diffuseRadiance(record), 0.0);
-  if (kGlossy && entry == r) shaded[2 * r + 1] = vec4(glossyRadiance(record), 0.0);
+  Diffuse diffuse = diffuseRadiance(record);
+  shaded[kShadedRadiances * r] = vec4(diffuse.radiance, 0.0);
+  for (uint c = 0; kNormalMapped && c < kShadedGradients; ++c) shaded[gradientIndex(r, c)] = vec4(diffuse.gradient[c], 0.0);
+  if (kGlossy && entry == r) shaded[kShadedRadiances * r + 1] = vec4(glossyRadiance(record), 0.0);
 }

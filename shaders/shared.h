@@ -37,7 +37,7 @@ SHARED_CONSTANT kBindRowSums = 18;             // RowSum
 SHARED_CONSTANT kBindSummedArea = 19;          // packed prefixes
 SHARED_CONSTANT kBindVisible = 20;             // VisibleHeader, then record indices
 SHARED_CONSTANT kBindMarks = 21;               // one word a record
-SHARED_CONSTANT kBindShaded = 22;              // two vec4 a record: diffuse, glossy
+SHARED_CONSTANT kBindShaded = 22;              // two vec4 a record: diffuse, glossy; then see below
 SHARED_CONSTANT kBindTables = 23;              // floats: see kTable... below
 SHARED_CONSTANT kBindBackground = 24;          // environment image, RGB floats
 SHARED_CONSTANT kBindPicture = 25;             // RGBA floats of one image tile
@@ -51,19 +51,20 @@ SHARED_CONSTANT kBindVisibility = 31;  // r32ui image: triangle + 1, or 0
 
 // Specialisation constants of every shader that looks at surfaces: what an asset does not have is not
 // compiled in.
-SHARED_CONSTANT kConstantGlossy = 0;       // any glossy kernel
-SHARED_CONSTANT kConstantBackground = 1;   // the environment behind the object
-SHARED_CONSTANT kConstantTextured = 2;     // any texture
-SHARED_CONSTANT kConstantTransformed = 3;  // any transformed texture
-SHARED_CONSTANT kConstantColored = 4;      // any vertex colour
-SHARED_CONSTANT kConstantMasked = 5;       // any asset::kAlphaMask
-SHARED_CONSTANT kConstantExtended = 6;     // any asset::MaterialExtension
-SHARED_CONSTANT kConstantClearcoat = 7;    // any material with a coat
-SHARED_CONSTANT kConstantSheen = 8;        // ... with sheen
-SHARED_CONSTANT kConstantOtherSide = 9;    // ... with diffuse transmission
-SHARED_CONSTANT kConstantFilm = 10;        // ... with iridescence
-SHARED_CONSTANT kConstantLayers = 11;      // blended layers at most, 0 without asset::kAlphaBlend
-SHARED_CONSTANT kSurfaceConstants = 12;
+SHARED_CONSTANT kConstantGlossy = 0;         // any glossy kernel
+SHARED_CONSTANT kConstantBackground = 1;     // the environment behind the object
+SHARED_CONSTANT kConstantTextured = 2;       // any texture
+SHARED_CONSTANT kConstantTransformed = 3;    // any transformed texture
+SHARED_CONSTANT kConstantColored = 4;        // any vertex colour
+SHARED_CONSTANT kConstantMasked = 5;         // any asset::kAlphaMask
+SHARED_CONSTANT kConstantExtended = 6;       // any asset::MaterialExtension
+SHARED_CONSTANT kConstantClearcoat = 7;      // any material with a coat
+SHARED_CONSTANT kConstantSheen = 8;          // ... with sheen
+SHARED_CONSTANT kConstantOtherSide = 9;      // ... with diffuse transmission
+SHARED_CONSTANT kConstantFilm = 10;          // ... with iridescence
+SHARED_CONSTANT kConstantLayers = 11;        // blended layers at most, 0 without asset::kAlphaBlend
+SHARED_CONSTANT kConstantNormalMapped = 12;  // any normal map of a base layer
+SHARED_CONSTANT kSurfaceConstants = 13;
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
 // Fresnel factor [n.v], the linear values of the 256 sRGB codes, and, where anything has a sheen, its
@@ -72,6 +73,11 @@ SHARED_CONSTANT kAlbedoNodes = 64;
 SHARED_CONSTANT kTableFresnel = 2 * kAlbedoNodes * kAlbedoNodes;
 SHARED_CONSTANT kTableSrgb = kTableFresnel + kAlbedoNodes;
 SHARED_CONSTANT kTableSheen = kTableSrgb + 256;
+
+// Shaded records: after two vec4 of each, where anything has a normal map, three of each: how diffuse R, G
+// and B change with the normal.
+SHARED_CONSTANT kShadedRadiances = 2;
+SHARED_CONSTANT kShadedGradients = 3;
 
 SHARED_CONSTANT kMaxBoxPools = 4;
 SHARED_CONSTANT kGroupSize = 64;  // threads of every linear dispatch

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -15,6 +16,7 @@
 
 namespace boxlight {
 
+using glm::dmat3;
 using glm::dvec2;
 using glm::dvec3;
 using glm::ivec2;

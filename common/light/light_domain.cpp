@@ -25,6 +25,14 @@ double rectangleSolidAngle(double du, double v0, double v1) {
   return 4.0 * kPiDouble * du * std::sin(0.5 * (a + b)) * std::sin(0.5 * (b - a));
 }
 
+dvec3 meanDirection(double u0, double v0, double du, double dv) {
+  const double t = kPiDouble * (v0 + 0.5 * dv), h = 0.5 * kPiDouble * dv, p = kPiDouble * (2 * u0 + du - 1);
+  const double excess = h < 1e-3 ? 2.0 / 3.0 * h * h * h : h - std::sin(h) * std::cos(h);
+  const double chord = std::sin(kPiDouble * du) / (kPiDouble * du);
+  const double ring = chord * (std::sin(t) * std::cos(h) + excess / (2.0 * std::sin(t) * std::sin(h)));
+  return {ring * std::cos(p), std::cos(t) * std::cos(h), ring * std::sin(p)};
+}
+
 float environmentOffset(float degrees) {
   const double turns = double(degrees) / 360.0;
   const float offset = float(turns - std::floor(turns));

@@ -17,6 +17,13 @@ vec3 uvToDirection(vec2 uv);
 /// v1)).
 double rectangleSolidAngle(double du, double v0, double v1);
 
+/// Mean of the unit vectors of the rectangle [u0, u0 + du] x [v0, v0 + dv], by solid angle: its length falls
+/// from 1 for a point to 0 for the whole sphere. du, dv > 0.
+///   y  = cos t cos h ,  (x, z) = (cos p, sin p) sin(pi du)/(pi du) (sin t cos h + (h - sin h cos h)/(2 sin t
+///   sin h)),
+/// with t and p the angles of its centre, h half its extent in theta: the integrals of sin^2 and of sin cos.
+dvec3 meanDirection(double u0, double v0, double du, double dv);
+
 /// `--env-rotation` turns the environment by `degrees` about +Y, counter-clockwise seen from above. A box or
 /// a direction at u then reads the unrotated map at u + environmentOffset(degrees), modulo 1.
 float environmentOffset(float degrees);

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "common/light/light_domain.h"
+
 namespace boxlight {
 namespace {
 
@@ -112,6 +114,23 @@ TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& li
   const vec3 view = distance > 0.0f ? towards / distance : normal;
   radiance.glossy = glossy(record, raiseAboveHorizon(view, normal), lights, uOffset, interpolation, maxBoxes);
   return radiance;
+}
+
+dmat3 Relighter::diffuseGradient(uint32_t record, const SummedArea& lights, double uOffset,
+                                 uint32_t maxBoxes) {
+  const auto lambert = kernel(asset_.diffuseStream(), record);
+  const dvec3 normal(toVec3(asset_.records[record].normal));
+  const size_t first = emissionSlots(lambert);
+  dmat3 gradient(0.0);
+  for (size_t j = first; j < lastSlot(lambert.size(), first, maxBoxes); ++j) {
+    const Box box = unpackBox(lambert[j]);
+    const dvec3 radiance = light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
+    const dvec3 direction = meanDirection(box.u0, box.v0, box.du, box.dv);
+    const double cosine = std::max(glm::dot(normal, direction), 0.0);
+    const double floor = kLeastGradientCosine * kLeastGradientCosine;
+    gradient += glm::outerProduct(direction * (cosine / std::max(cosine * cosine, floor)), radiance);
+  }
+  return gradient;
 }
 
 dvec3 Relighter::glossy(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,

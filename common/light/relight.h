@@ -45,6 +45,9 @@ struct TexelRadiance {
   dvec3 diffuse{0.0}, glossy{0.0};
 };
 
+/// Boxes closer to the horizon, and those below it that bounced light comes from, fade out of the gradient.
+inline constexpr double kLeastGradientCosine = 0.1;
+
 /// Where decoded pages come from: AssetReader::page, or memory.
 using PageProvider = std::function<std::vector<PackedBox>(uint32_t stream, uint32_t tile)>;
 
@@ -60,6 +63,15 @@ class Relighter {
   /// without a kernel for this record is left out and the weights of the others are scaled to sum to 1.
   TexelRadiance relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset = 0.0,
                         Interpolation interpolation = Interpolation::energy, uint32_t maxBoxes = ~0u);
+
+  /// How the diffuse radiance of `record` changes with the normal n, one column a channel: to first order it
+  /// is diffuse + G^T (n' - (n'.n) n) for a normal n' that a normal map bends inside the texel. A box's light
+  /// is taken as coming from its mean direction d; its cosine factor n.d is divided out and n'.d multiplied
+  /// in:
+  ///   G = sum_j energy_j L_j (n.d_j) d_j / max((n.d_j)^2, kLeastGradientCosine^2)  over boxes with n.d_j >
+  ///   0.
+  dmat3 diffuseGradient(uint32_t record, const SummedArea& lights, double uOffset = 0.0,
+                        uint32_t maxBoxes = ~0u);
 
   /// The boxes of one kernel in slot order; empty if the record has none in this stream.
   std::span<const PackedBox> kernel(uint32_t stream, uint32_t record);

@@ -48,8 +48,8 @@ class FrameRenderer {
   /// object covers, blended layers by their alpha, or 1 with a background.
   const Image& picture() const;
   const FrameCounts& counts() const;
-  /// The last frame's texel records, two vec4 each: diffuse and glossy radiance. What readVisible does not
-  /// name means nothing.
+  /// The last frame's texel records, kShadedRadiances vec4 each: diffuse and glossy radiance; with normal
+  /// maps then kShadedGradients each. What readVisible does not name means nothing.
   std::vector<vec4> readShaded() const;
   std::vector<VisibleRecord> readVisible() const;
   /// The summed-area table as sat_columns.comp packs it.

@@ -10,7 +10,9 @@
 namespace boxlight::gpu {
 
 ShadedRecords::ShadedRecords(Device& device, Bindings& bindings, const asset::Asset& asset)
-    : buffer_(device, "shaded texel records", uint64_t(2 * asset.records.size()) * sizeof(vec4)) {
+    : buffer_(device, "shaded texel records",
+              uint64_t(asset.records.size()) * sizeof(vec4) *
+                  (kShadedRadiances + (isNormalMapped(asset) ? kShadedGradients : 0))) {
   bindings.set(kBindShaded, buffer_);
 }
 
@@ -21,8 +23,8 @@ std::vector<vec4> ShadedRecords::read(Device& device) const {
 ShadePass::ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
                      bool emitters, Interpolation interpolation)
     : pipeline_(device, bindings, shade_comp,
-                std::array<uint32_t, 4>{interpolation == Interpolation::weight, poolCount, isGlossy(asset),
-                                        emitters}) {}
+                std::array<uint32_t, 5>{interpolation == Interpolation::weight, poolCount, isGlossy(asset),
+                                        emitters, isNormalMapped(asset)}) {}
 
 void ShadePass::shade(Commands& commands, const Buffer& list) const {
   commands.dispatchIndirect(pipeline_, list, offsetof(VisibleHeader, groups));

@@ -9,7 +9,8 @@
 
 namespace boxlight::gpu {
 
-/// Demodulated radiance of texel records: two vec4 a record, diffuse and glossy.
+/// Demodulated radiance of texel records, diffuse and glossy, and with normal maps the gradients of diffuse:
+/// see kShadedRadiances of shaders/shared.h.
 class ShadedRecords {
  public:
   ShadedRecords(Device& device, Bindings& bindings, const asset::Asset& asset);

@@ -31,6 +31,12 @@ bool isGlossy(const asset::Asset& asset) {
 
 bool isBlended(const asset::Asset& asset) { return hasFlag(asset, asset::kAlphaBlend); }
 
+bool isNormalMapped(const asset::Asset& asset) {
+  return std::any_of(asset.materials.begin(), asset.materials.end(), [](const asset::Material& material) {
+    return material.normalTexture.texture != asset::kNone;
+  });
+}
+
 bool hasSheen(const asset::Asset& asset) {
   return anyExtension(asset, [](const asset::MaterialExtension& e) {
     return e.sheenColor[0] > 0.0f || e.sheenColor[1] > 0.0f || e.sheenColor[2] > 0.0f;
@@ -53,6 +59,7 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, bool background, ui
       anyExtension(asset, [](const Extension& e) { return e.diffuseTransmission > 0.0f; });
   constants[kConstantFilm] = anyExtension(asset, [](const Extension& e) { return e.iridescence > 0.0f; });
   constants[kConstantLayers] = layers;
+  constants[kConstantNormalMapped] = isNormalMapped(asset);
   return constants;
 }
 

@@ -12,6 +12,8 @@ namespace boxlight::gpu {
 bool isGlossy(const asset::Asset& asset);
 /// Has any material alpha that is coverage?
 bool isBlended(const asset::Asset& asset);
+/// Does a normal map bend any material's base layer?
+bool isNormalMapped(const asset::Asset& asset);
 bool hasSheen(const asset::Asset& asset);
 
 /// What the shaders that look at surfaces are specialised to, by kConstant... of shaders/shared.h: whatever
