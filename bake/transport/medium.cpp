@@ -133,13 +133,14 @@ void MediumStack::enter(uint32_t material) {
   if (count_ < kDepth) materials_[count_++] = material;
 }
 
-void MediumStack::leave(uint32_t material) {
+bool MediumStack::leave(uint32_t material) {
   for (size_t i = count_; i-- > 0;)
     if (materials_[i] == material) {
       std::copy(materials_.begin() + i + 1, materials_.begin() + count_, materials_.begin() + i);
       --count_;
-      return;
+      return true;
     }
+  return false;
 }
 
 std::optional<uint32_t> MediumStack::innermost() const {
@@ -171,9 +172,7 @@ MediumStack enclosingMedia(const Intersector& world, Ray ray) {
     if (scene.materials[material].flags & asset::kVolume) {
       if (!leaving)
         crossed.enter(material);
-      else if (crossed.innermost() == material)
-        crossed.leave(material);
-      else
+      else if (!crossed.leave(material))
         around[count++] = material;
     }
     ray.origin = offsetOrigin(scene, *point, (leaving ? 1.0f : -1.0f) * frame.geometricNormal);

@@ -15,7 +15,8 @@ namespace boxlight {
 class MediumStack {
  public:
   void enter(uint32_t material);
-  void leave(uint32_t material);
+  /// False if it was never entered.
+  bool leave(uint32_t material);
   std::optional<uint32_t> innermost() const;
   /// The refractive index around the path; that of air outside of everything.
   float ior(const Scene& scene) const;

@@ -39,7 +39,10 @@ inline bool continuePath(uint32_t bounce, uint32_t limit, Rgb& throughput, Sampl
 /// it.
 inline void passBoundary(const SurfaceView& surface, vec3 wi, MediumStack& media) {
   if (wi.z >= 0.0f || !surface.material.volume) return;
-  surface.back ? media.leave(surface.materialIndex) : media.enter(surface.materialIndex);
+  if (surface.back)
+    media.leave(surface.materialIndex);
+  else
+    media.enter(surface.materialIndex);
 }
 
 /// Turns the path to the sampled direction `drawn` (local). False if its geometric side is not the one that

@@ -132,11 +132,11 @@ TEST(FurnaceVolume, AWhiteMediumBehindADiffusingBoundaryLosesNothing) {
   expectReturns(furnace(scene, {0, 1, 5}, 15, 256), Rgb(1), "marble");
 }
 
-TEST(FurnaceBlend, ALayerOfAlphaOneHalfShowsHalfOfWhatLiesBehind) {
+TEST(FurnaceBlend, ALayerOfAlphaOneQuarterShowsThreeQuartersOfWhatLiesBehind) {
   asset::Material material = test::lambert(Rgb(0.4f));
   material.flags = asset::kAlphaBlend | asset::kDoubleSided;
-  material.baseColor[3] = 0.5f;
+  material.baseColor[3] = 0.25f;
   Scene scene = test::makeScene(material);
   addPlane(scene);
-  expectReturns(furnace(scene, {0, 100, 1}, 0.2f, 4096), Rgb(0.5f * 0.4f + 0.5f), "blend");
+  expectReturns(furnace(scene, {0, 100, 1}, 0.2f, 4096), Rgb(0.25f * 0.4f + 0.75f), "blend");
 }

@@ -52,8 +52,12 @@ struct PlainEstimator {
       if (maxComponent(throughput) == 0) return result;
       direction = surface.toWorld(wi);
       if ((glm::dot(direction, surface.geometricNormal) < 0) != (wi.z < 0)) return result;
-      if (wi.z < 0 && surface.material.volume)
-        surface.back ? media.leave(surface.materialIndex) : media.enter(surface.materialIndex);
+      if (wi.z < 0 && surface.material.volume) {
+        if (surface.back)
+          media.leave(surface.materialIndex);
+        else
+          media.enter(surface.materialIndex);
+      }
       float distance;
       const auto next = world.intersect(leaveSurface(world.scene(), surface, direction), distance);
       if (!next) return result + throughput * environment.radiance(direction);

@@ -131,6 +131,13 @@ TEST(SampleMaterial, MaskFollowsTheImage) {
   EXPECT_EQ(sampleAlpha(scene, {1, {.05f, .9f}}), 1.0f) << "near the upper left corner";
 }
 
+TEST(SampleMaterial, EmissionIsFactorTimesImage) {
+  GltfBuilder builder =
+      texturedSquare({{"emissiveTexture", {{"index", 0}}}, {"emissiveFactor", {1, .5, .25}}});
+  builder.addTexture(png(1, 1, {255, 255, 0, 255}));
+  EXPECT_EQ(sampleMaterial(builder.load(), kCentre).emission, Rgb(1, .5f, 0));
+}
+
 TEST(ShadingNormal, LeansWithTheNormalMap) {
   // Texel (1, .5, .5) * 2 - 1 is +X of the image, (.5, 1, .5) is up in the image.
   for (const bool up : {false, true}) {

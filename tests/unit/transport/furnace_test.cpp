@@ -9,7 +9,7 @@
 #include "bake/transport/reference_integrator.h"
 #include "common/light/light_domain.h"
 #include "tests/support/bsdf_lab.h"
-#include "tests/support/scenes.h"
+#include "tests/support/path_lab.h"
 
 using namespace boxlight;
 
@@ -123,11 +123,69 @@ TEST(ClosedForm, OneTexelSunGivesRhoECosOverPi) {
   EXPECT_NEAR(mean.x / (0.5 * irradiance.x / kPiDouble), 1, 5e-3);
 }
 
+TEST(ClosedForm, AGlowingCavityIsEmissionOverOneMinusAlbedo) {
+  asset::Material material = test::lambert(Rgb(0.5f));
+  material.flags = asset::kDoubleSided;
+  Scene scene = test::makeScene(material);
+  test::makeExtensions(scene);
+  for (int c = 0; c < 3; ++c) scene.materialExtensions[0].emissive[c] = float(c + 1);
+  test::addBox(scene, vec3(-1), vec3(1));
+  const Rgb seen = meanRadiance(scene, constantLight(Rgb(0)), {0.2f, 0.1f, 0.3f}, 64);
+  const KernelPaths paths = test::lambertPaths(Intersector(scene), 0, true, 1 << 14);
+  EXPECT_TRUE(paths.deposits.empty());
+  for (int c = 0; c < 3; ++c) {
+    EXPECT_NEAR(seen[c] / (2 * float(c + 1)), 1, 5e-3f);
+    EXPECT_NEAR(paths.emission()[c] / (2 * float(c + 1)), 1, 5e-3f);
+  }
+}
+
 TEST(Reference, SameBytesFromTheSameSeed) {
   Scene scene = test::makeScene(test::metal(0.3f));
   test::addSphere(scene, vec3(0), 1, 32);
   const Image light = constantLight();
   EXPECT_EQ(meanRadiance(scene, light, {0, 0, 4}, 4), meanRadiance(scene, light, {0, 0, 4}, 4));
+}
+
+TEST(Reference, TheVarianceIsThatOfASampleOverTheirNumber) {
+  // Of a plane that looks the same in every pixel; stratification within a pixel is not credited.
+  Scene scene = test::makeScene(test::lambert());
+  test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
+  const Intersector world(scene);
+  const Image light = constantLight();
+  const EnvironmentSampler environment(light, 0);
+  const Camera camera = makeCamera({.eye = vec3(0, 9, 0.1f), .fovDegrees = 5, .size = {32, 32}},
+                                   scene.boundsMin, scene.boundsMax);
+  const ReferencePicture one = renderReference(world, environment, camera, {.samplesPerPixel = 1}),
+                         many = renderReference(world, environment, camera, {.samplesPerPixel = 16});
+  test::Estimate samples, variance;
+  for (uint32_t i = 0; i < 32 * 32; ++i) {
+    samples.add(double(one.mean.at(i % 32, i / 32)[0]));
+    variance.add(double(many.variance.at(i % 32, i / 32)[0]));
+  }
+  EXPECT_NEAR(16 * variance.mean / (samples.squares / double(samples.count - 1)), 1, 0.2);
+}
+
+TEST(Reference, TheLimitOfRadianceSaysWhatItTakes) {
+  Scene scene = test::makeScene(test::lambert());
+  test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
+  const Intersector world(scene);
+  Image light = constantLight();
+  light.at(5, 3)[0] = light.at(5, 3)[1] = light.at(5, 3)[2] = 100;
+  const EnvironmentSampler environment(light, 0);
+  const Camera camera = makeCamera({.eye = vec3(0, 9, 0.1f), .fovDegrees = 5, .size = {8, 8}},
+                                   scene.boundsMin, scene.boundsMax);
+  const auto render = [&](float limit) {
+    return renderReference(world, environment, camera, {.samplesPerPixel = 64, .radianceLimit = limit});
+  };
+  const ReferencePicture all = render(std::numeric_limits<float>::infinity()), limited = render(1);
+  double sumAll = 0, sumKept = 0;
+  for (uint32_t i = 0; i < 64; ++i) {
+    sumAll += double(all.mean.at(i % 8, i / 8)[0]);
+    sumKept += double(limited.mean.at(i % 8, i / 8)[0]);
+  }
+  EXPECT_EQ(all.removed, 0);
+  EXPECT_GT(limited.removed, 0.01);
+  EXPECT_NEAR(limited.removed, 1 - sumKept / sumAll, 1e-5);
 }
 
 TEST(Reference, BackFacesAreInvisibleToTheCameraOnly) {

@@ -103,3 +103,32 @@ TEST(SurfaceView, TurnsToTheSideOfTheViewAndBendsItsNormal) {
   const vec3 wo = glm::normalize(vec3(-1, 0.1f, 0));
   EXPECT_NEAR(glm::dot(viewSurface(scene, point, wo).normal, wo), kMinimumCosine, 1e-4f);
 }
+
+// The quad's tangent is X, its front Y: the bitangent is -Z times the handedness.
+TEST(SurfaceView, TurnsAnisotropyAndNormalMapsWithTheTangentFrame) {
+  Scene scene = test::makeScene(test::metal(0.3f));
+  asset::MaterialExtension& x = scene.materialExtensions.emplace_back();
+  x.anisotropy = 1, x.anisotropyRotation = 0.5f, x.clearcoat = 1;
+  scene.texels = {0xFFDA80DA,
+                  0xFFDADA80};  // normals that lean by 45 degrees along the tangent, the bitangent
+  for (uint32_t i : {0u, 1u})
+    scene.textures.push_back({1, 1, i, asset::Wrap::repeat, asset::Wrap::repeat, 0, 0, 1});
+  scene.materials[0].normalTexture.texture = 0;
+  x.clearcoatNormalTexture.texture = 1;
+  test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
+  for (const float handedness : {1.0f, -1.0f}) {
+    for (asset::Vertex& v : scene.vertices)
+      v.tangent[0] = 1, v.tangent[1] = v.tangent[2] = 0, v.tangent[3] = handedness;
+    const vec3 bitangent(0, 0, -handedness),
+        along = std::cos(0.5f) * vec3(1, 0, 0) + std::sin(0.5f) * bitangent;
+    for (const float side : {1.0f, -1.0f}) {
+      const SurfaceView surface = viewSurface(scene, {0, {0.25f, 0.25f}}, {0, side, 0});
+      const vec3 normal = side * glm::normalize(vec3(1, 1, 0)),
+                 coat = side * glm::normalize(vec3(0, 1, 0) + bitangent);
+      const vec3 inPlane = glm::normalize(along - glm::dot(along, normal) * normal);
+      EXPECT_GT(glm::dot(surface.normal, normal), 0.9999f) << handedness << " " << side;
+      EXPECT_GT(glm::dot(surface.toWorld(surface.coatNormal), coat), 0.9999f) << handedness << " " << side;
+      EXPECT_GT(std::abs(glm::dot(surface.tangent, inPlane)), 0.9999f) << handedness << " " << side;
+    }
+  }
+}

@@ -77,6 +77,13 @@ TEST(EnclosingMedia, OverlappingVolumesBothCount) {
   EXPECT_EQ(mediaAt(scene, {-0.5, 0.02, 0.03}), std::vector<uint32_t>{0});
 }
 
+TEST(EnclosingMedia, OverlappingVolumesAheadAreNotAround) {
+  Scene scene = twoBoxes({0, -0.9f, -0.9f}, {2, 0.9f, 0.9f});
+  test::addBox(scene, vec3(-9), vec3(-8));  // makes room within the bounds
+  EXPECT_FALSE(enclosingMedia(Intersector(scene), {dvec3(-3, 0.02, 0.03), {1, 0, 0}}).innermost());
+  EXPECT_FALSE(enclosingMedia(Intersector(scene), {dvec3(-3, 0.02, 0.03), {-1, 0, 0}}).innermost());
+}
+
 TEST(MediumStack, RemembersIndicesOfNestedMedia) {
   const Scene scene = twoBoxes(vec3(-0.5f), vec3(0.5f));
   MediumStack media;

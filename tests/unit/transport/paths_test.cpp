@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include "bake/kernels/texel_bake.h"
+#include "bake/kernels/scene_bake.h"
 #include "common/light/light_domain.h"
-#include "tests/support/scenes.h"
+#include "tests/support/path_lab.h"
 
 using namespace boxlight;
 
@@ -76,6 +76,16 @@ TEST(Paths, AnInfiniteWhiteWallBouncesWhatItBlocks) {
   EXPECT_NEAR(meanThroughput(all).x, 1, 1e-2);
 }
 
+TEST(Paths, TheLimitOfThroughputsSaysWhatItTakes) {
+  OneTexel texel(test::lambert());
+  const PathOrigin origin = texel.origin();
+  const Intersector world(texel.scene);
+  KernelPaths paths;
+  PathTracer(world, {.throughput = 0.25f}).traceLambert(origin, {1, 0, 0}, 256, paths);
+  EXPECT_EQ(meanThroughput(paths), Rgb(0.25f));
+  EXPECT_NEAR(paths.removed, 0.75 * 256, 1e-3);
+}
+
 TEST(Paths, MaskedPointsAreNoPartOfTheTexel) {
   asset::Material material = test::lambert();
   material.flags = asset::kAlphaMask;
@@ -142,4 +152,30 @@ TEST(TexelBake, DoubleSidedTexelsHaveTwoRecords) {
   const auto atlas = indirection(texel.map, plans);
   EXPECT_EQ(atlas[0].front, 0u);
   EXPECT_EQ(atlas[0].back, 1u);
+}
+
+TEST(TexelBake, EmittersHaveASlotOfTheirOwn) {
+  for (bool glossy : {false, true}) {
+    OneTexel texel(glossy ? test::metal(0.3f) : test::lambert());
+    texel.map = makeTexels(texel.scene, 1, 1);
+    asset::Material lamp = test::lambert({0.25f, 0.5f, 1});
+    lamp.flags = asset::kUnlit;
+    texel.scene.materials.push_back(lamp);
+    test::addBox(texel.scene, vec3(-5), vec3(5), 1);  // all that the texel sees
+    const Intersector world(texel.scene);
+    const BakedScene baked = bakeScene(world, texel.map, planRecords(world, texel.map), ViewSphere(3),
+                                       {.paths = 64, .boxes = 4}, ProgressStyle::none);
+    ASSERT_EQ(baked.asset.tiles.size(), 1u);
+    const asset::Tile& tile = baked.asset.tiles[0];
+    int kernels = 0;
+    for (const std::vector<PackedBox>& page : baked.pages) {
+      if (page.empty()) continue;
+      ++kernels;
+      ASSERT_EQ(page.size(), glossy ? tile.glossyBoxes : tile.diffuseBoxes);
+      const Rgb emitted = unpackEmission(page[0]);
+      for (int c = 0; c < 3; ++c) EXPECT_NEAR(emitted[c] / lamp.baseColor[c], 1, glossy ? 0.05f : 2e-3f);
+      for (size_t slot = 1; slot < page.size(); ++slot) EXPECT_EQ(unpackBox(page[slot]).energy, Rgb(0));
+    }
+    EXPECT_NEAR(kernels, glossy ? 63 : 1, glossy ? 5 : 0);
+  }
 }
