@@ -8,12 +8,16 @@
 #include "common/light/light_map.h"
 #include "common/light/relight.h"
 #include "runtime/light/fixed_point.h"
+#include "shaders/shared.h"
 #include "tests/runtime/synthetic.h"
 
 namespace boxlight {
 namespace {
 
 constexpr double kOracleTolerance = 1e-4;  // relative, of a record's radiance
+// Of a record's radiance, divided by the least cosine: the device's sine and cosine have 2^-11.
+constexpr double kGradientTolerance = 1e-2;
+constexpr uint32_t kRadiances = gpu::kShadedRadiances, kGradients = gpu::kShadedGradients;
 constexpr double kRoundedUnits =
     2;  // of the light table, in the integral over a box: four prefixes, half a unit each
 
@@ -84,7 +88,9 @@ class OracleTest : public GpuTest {
     const auto visible = renderer.readVisible();
     const double unit = gpu::chooseFixedPoint(makeLightMap(environment, settings_.lightSize)).unit;
     Relighter relighter(reader);
-    double worst = 0;
+    double worst = 0, worstGradient = 0;
+    const uint32_t records = uint32_t(reader.asset().records.size());
+    const auto gradientAt = [&](uint32_t r, uint32_t c) { return kRadiances * records + kGradients * r + c; };
     for (const auto& [r, glossy] : visible) {
       const TexelRadiance exact = relighter.relight(r, settings_.camera.eye, lights, offset,
                                                     settings_.interpolation, settings_.boxLimit);
@@ -92,7 +98,15 @@ class OracleTest : public GpuTest {
           std::max(worst, error(shaded[2 * r], exact.diffuse, rounding(relighter, reader.asset(), r, unit)));
       if (glossy && reader.asset().tiles.front().glossyBoxes > 0)
         worst = std::max(worst, error(shaded[2 * r + 1], exact.glossy));
+      if (isMapped_) {
+        const dmat3 gradient = relighter.diffuseGradient(r, lights, offset, settings_.boxLimit);
+        for (uint32_t c = 0; c < kGradients; ++c)
+          worstGradient =
+              std::max(worstGradient, glm::length(dvec3(vec3(shaded[gradientAt(r, c)])) - gradient[c]) /
+                                          std::max(glm::length(exact.diffuse), 1e-6));
+      }
     }
+    EXPECT_LT(worstGradient, kGradientTolerance);
     EXPECT_LT(worst, kOracleTolerance);
     RecordProperty("worst", std::to_string(worst));
     std::printf("worst relative difference %.2g over %zu records\n", worst, visible.size());
@@ -114,6 +128,7 @@ class OracleTest : public GpuTest {
   }
 
   gpu::FrameSettings settings_;
+  bool isMapped_ = false;  // has the square a normal map?
 };
 
 TEST_F(OracleTest, BoxesOfEverySizeAndPlace) {
@@ -128,6 +143,19 @@ TEST_F(OracleTest, ASunOfAMillion) {
   square.atlasEdge = 48;
   const auto reader = square.write(file("sun.ptb"), randomBox);
   EXPECT_EQ(compare(reader, environmentWithSun(1e6f)), 48u * 48u);
+}
+
+TEST_F(OracleTest, GradientsInTheNormal) {
+  Square square;
+  square.atlasEdge = 48;
+  square.glossyBoxes = 2;
+  square.diffuseBoxes = 3;
+  square.texels = {0xFFE6CC80u};
+  square.textures = {{1, 1, 0, asset::Wrap::repeat, asset::Wrap::repeat, 0, 1, 0}};
+  square.material.normalTexture = {0, 0};
+  isMapped_ = true;
+  const auto reader = square.write(file("bent.ptb"), randomBox);
+  EXPECT_EQ(compare(reader, environmentWithSun(10.0f)), 48u * 48u);
 }
 
 TEST_F(OracleTest, InterpolatesViews) {

@@ -121,6 +121,25 @@ TEST_F(PictureTest, DielectricKeepsTheMeanFresnelFactor) {
                    3e-4f);
 }
 
+/// Light from 45 degrees towards +X, on a flat texel whose normal map bends towards and away from it.
+TEST_F(PictureTest, NormalMapsBendDiffuseLight) {
+  Square square;
+  const float size = 1.0f / 64;
+  const Box light{0.5f - size / 2, 0.25f - size / 2, size, size, Rgb(1, 0.5f, 0.25f)};
+  square.atlasEdge = 1;
+  square.texels = {rgba(166, 128, 248, 255), rgba(90, 128, 248, 255)};
+  square.textures = {{2, 1, 0, asset::Wrap::clampToEdge, asset::Wrap::clampToEdge, 0, 1, 0}};
+  square.material.normalTexture = {0, 0};
+  const auto reader = square.write(file("bumps.ptb"), everywhere(light));
+  settings_.samples = 1;
+  const Image image = render(reader, constantEnvironment({64, 32}, Rgb(2)));
+  for (const auto& [x, code] : {std::pair(3u, 166), std::pair(12u, 90)}) {
+    const double tangent = 2.0 * code / 255 - 1, up = 2.0 * 248 / 255 - 1, side = 2.0 * 128 / 255 - 1;
+    const double tilt = tangent / std::sqrt(tangent * tangent + up * up + side * side);
+    expectPixel(image, x, 7, vec4(Rgb(2, 1, 0.5f) * float(1 + tilt), 1), 3e-3f);  // d = (1, 1, 0) / sqrt(2)
+  }
+}
+
 TEST_F(PictureTest, TexturesAndTheirMask) {
   Square square;
   // Four quarters in sRGB, one transparent; nearest, so that every pixel is one texel.

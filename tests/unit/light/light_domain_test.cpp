@@ -58,6 +58,31 @@ TEST(LightDomain, OffsetIsInTheUnitInterval) {
   EXPECT_FLOAT_EQ(environmentOffset(-90.0f), 0.75f);
 }
 
+/// By the midpoint rule in cos(theta) and phi.
+dvec3 meanByQuadrature(double u0, double v0, double du, double dv) {
+  constexpr int kSteps = 400;
+  const double top = std::cos(kPiDouble * v0), bottom = std::cos(kPiDouble * (v0 + dv));
+  dvec3 sum(0.0);
+  for (int i = 0; i < kSteps; ++i)
+    for (int j = 0; j < kSteps; ++j) {
+      const double y = top + (bottom - top) * (i + 0.5) / kSteps, sine = std::sqrt(1 - y * y);
+      const double phi = 2 * kPiDouble * (u0 + du * (j + 0.5) / kSteps - 0.5);
+      sum += dvec3(sine * std::cos(phi), y, sine * std::sin(phi));
+    }
+  return sum / double(kSteps * kSteps);
+}
+
+TEST(LightDomain, MeanDirections) {
+  const double cases[][4] = {{0.4, 0.2, 0.1, 0.3},   {0.9, 0.0, 0.3, 0.2}, {0.0, 0.0, 1.0, 0.5},
+                             {0.1, 0.7, 0.6, 0.3},   {0.2, 0.0, 0.5, 1.0}, {0.0, 0.0, 1.0, 1.0},
+                             {0.3, 0.5, 1e-4, 1e-4}, {0.3, 0.0, 0.2, 1e-4}};
+  for (const auto& [u, v, du, dv] : cases)
+    EXPECT_LT(glm::length(meanDirection(u, v, du, dv) - meanByQuadrature(u, v, du, dv)), 3e-5)
+        << u << " " << v << " " << du << " " << dv;
+  EXPECT_LT(glm::length(meanDirection(0.625, 0.25, 1e-9, 1e-9) - dvec3(uvToDirection({0.625f, 0.25f}))),
+            1e-6);
+}
+
 TEST(LightDomain, SolidAngles) {
   EXPECT_NEAR(rectangleSolidAngle(1, 0, 1), 4.0 * kPiDouble, 1e-14);
   EXPECT_NEAR(rectangleSolidAngle(0.25, 0, 0.5), kPiDouble / 2.0, 1e-15);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/light/relight.h"
+#include "common/light/light_domain.h"
 
 #include <gtest/gtest.h>
 
@@ -235,6 +236,23 @@ TEST(Relight, EyesBelowTheHorizonAreRaised) {
   EXPECT_NEAR(relighter.relight(0, eye, constantLight(1.0f)).glossy.x, 3.0, 1e-6);
   EXPECT_TRUE(std::isfinite(relighter.relight(0, vec3(0.0f), constantLight(1.0f)).glossy.x))
       << "an eye on the texel";
+}
+
+TEST(Relight, GradientFollowsTheCosineLaw) {
+  TestAsset test(1);
+  const Box high = makeBox(0.4f, 0.2f, 0.02f, 0.02f, Rgb(1, 2, 3)),
+            low = makeBox(0.4f, 0.6f, 0.1f, 0.1f, Rgb(9));
+  test.put(92, 0, {high, low});  // the second lies below the horizon
+  test.finish(1, 2);
+  Relighter relighter(test.asset, test.provider());
+  const dmat3 gradient = relighter.diffuseGradient(0, constantLight(2.0f));
+  const dvec3 d = meanDirection(high.u0, high.v0, high.du, high.dv), n(0, 1, 0);
+  const dvec3 bent = glm::normalize(dvec3(0.3, 1, -0.2)), change = bent - glm::dot(bent, n) * n;
+  for (int c = 0; c < 3; ++c) {
+    const double radiance = 2.0 * (c + 1), tilted = radiance * glm::dot(d, change) / d.y;
+    EXPECT_NEAR(glm::dot(gradient[c], change), tilted, 1e-3 * radiance) << c;
+    EXPECT_NEAR(glm::dot(gradient[c], n), radiance, 1e-3 * radiance) << "the cosine itself";
+  }
 }
 
 TEST(Relight, BoxCountAndRotation) {
