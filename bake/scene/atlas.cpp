@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/scene/atlas.h"
 
+#include "bake/scene/bleeding.h"
 #include "bake/scene/uv_set.h"
 #include "common/base/error.h"
 #include "common/base/log.h"
@@ -36,14 +37,23 @@ AtlasReport takeAsked(Scene& scene, uint32_t set, uint32_t size) {
        scene.path.string(), set, fault);
 }
 
+/// Why the automatic source passes over a set that was taken and could be the atlas; empty if it does not.
+std::string inspectTaken(const Scene& scene, const TexelDensity& density, uint32_t size) {
+  if (density.mean > kMostStarved * density.least)
+    return fmt::format("gives part of the surface {:.3g} texels a metre, {:.3g} in the mean", density.least,
+                       density.mean);
+  if (const double bleeding = measureBleeding(scene, size); bleeding > kMostBleeding)
+    return fmt::format("lets its charts bleed into each other by {:.1f} % in an atlas of {}", 100 * bleeding,
+                       size);
+  return {};
+}
+
 /// The first good UV set, or kNone and why there is none.
 AtlasReport takeFirstGood(Scene& scene, uint32_t size) {
   AtlasReport report;
   for (uint32_t set = 0; set < 2; ++set) {
     std::string fault = tryUvSet(scene, set, report, size);
-    if (fault.empty() && report.density.mean > kMostStarved * report.density.least)
-      fault = fmt::format("gives part of the surface {:.3g} texels a metre, {:.3g} in the mean",
-                          report.density.least, report.density.mean);
+    if (fault.empty()) fault = inspectTaken(scene, report.density, size);
     if (fault.empty()) return {.uvSet = set, .density = report.density};
     report.reason += fmt::format("{}TEXCOORD_{} {}", set ? "; " : "", set, fault);
   }

@@ -9,8 +9,8 @@
 
 namespace boxlight {
 
-/// Where the atlas comes from. `automatic`: TEXCOORD_0, else TEXCOORD_1, if unique, inside [0,1] and of even
-/// density; else charts.
+/// Where the atlas comes from. `automatic`: TEXCOORD_0, else TEXCOORD_1, if unique, inside [0,1], of even
+/// density and with gutters; else charts.
 enum class AtlasSource { automatic, chart, texcoord0, texcoord1 };
 
 struct AtlasOptions {
@@ -32,6 +32,10 @@ struct AtlasReport {
 /// The automatic source passes over a UV set that gives a hundredth of the surface less than the mean density
 /// divided by this. docs/decisions/004-starved-uv-sets.md
 inline constexpr double kMostStarved = 8;
+
+/// And one of whose charts more than this bleeds into others at the atlas's size (measureBleeding).
+/// docs/decisions/005-uv-sets-that-bleed.md
+inline constexpr double kMostBleeding = 0.02;
 
 /// Sets Vertex::atlasUv; charting adds vertices. Errors: ExitCode::unsupported if the source is a UV set that
 /// cannot be the atlas; ExitCode::interrupted.

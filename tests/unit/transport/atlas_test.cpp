@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "bake/scene/bleeding.h"
 #include "bake/scene/uv_set.h"
 #include "common/base/error.h"
 #include "tests/support/scenes.h"
@@ -65,6 +66,23 @@ TEST(Atlas, ChartsWhereASetStarvesPartOfTheSurface) {
     test::addQuad(scene, {-1, 1, 1}, {2, 0, 0}, {0, 0, -2}, vec2(1 - side / 2), vec2(1));
     const AtlasReport report = chooseAtlas(scene, {});
     EXPECT_EQ(report.uvSet, side < 0.1f ? asset::kNone : 0u) << report.summary();
+  }
+}
+
+TEST(Atlas, ChartsWhereASetLetsItsChartsBleed) {
+  // 8 x 8 squares apart, each with an eighth of the unit square less a gutter of 3/8 or 3 texels on every
+  // side.
+  for (const uint32_t size : {32u, 256u}) {
+    Scene scene = test::makeScene(test::lambert());
+    for (int i = 0; i < 64; ++i) {
+      const vec2 at(i % 8, i / 8);
+      test::addQuad(scene, {at.x, 0, at.y}, {0.9f, 0, 0}, {0, 0, -0.9f}, (at + 3.0f / 32) / 8.0f,
+                    (at + 29.0f / 32) / 8.0f);
+    }
+    const AtlasReport report = chooseAtlas(scene, {.size = size});
+    EXPECT_EQ(report.uvSet, size == 32 ? asset::kNone : 0u) << report.summary();
+    EXPECT_EQ(report.reason.starts_with("TEXCOORD_0 lets its charts bleed into each other by"), size == 32);
+    EXPECT_LT(measureBleeding(scene, size), 1e-3) << report.summary();
   }
 }
 
