@@ -7,6 +7,7 @@
 
 #include "common/base/error.h"
 #include "data/demo_scene.h"
+#include "data/gloss_scenes.h"
 #include "data/material_scenes.h"
 #include "data/textures.h"
 
@@ -180,6 +181,7 @@ const std::vector<SceneRecipe>& sceneRecipes() {
          makeTexturedQuad},
         {"masked_leaf", "alpha MASK, double-sided, above Lambert ground", {}, makeMaskedLeaf},
     };
+    all.insert(all.end(), glossSceneRecipes().begin(), glossSceneRecipes().end());
     all.insert(all.end(), materialSceneRecipes().begin(), materialSceneRecipes().end());
     return all;
   }();
