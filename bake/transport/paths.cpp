@@ -39,25 +39,27 @@ bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfaceP
   return false;
 }
 
-void PathTracer::deposit(vec3 direction, Rgb throughput, KernelPaths& paths) const {
+void PathTracer::deposit(const PathState& path, bool direct, KernelPaths& paths) const {
+  Rgb throughput = path.throughput;
   const float largest = maxComponent(throughput);
   if (largest > limits_.throughput) {
     const Rgb kept = throughput * (limits_.throughput / largest);
     paths.removed += double(luminance(throughput - kept));
     throughput = kept;
   }
-  paths.deposits.push_back({directionToUv(direction), throughput});
+  paths.deposits.push_back({directionToUv(path.direction), throughput, direct});
 }
 
 void PathTracer::leave(const SurfaceView& first, PathState path, Sampler& sampler, KernelPaths& paths) const {
   const Scene& scene = world_.scene();
   SurfaceView surface = first;
+  const vec3 start = path.direction;
   for (uint32_t bounce = 0;; ++bounce) {
     Ray ray = leaveSurface(scene, surface, path.direction);
     const Travel next = travel(world_, path.media, ray, path.throughput, sampler);
     path.direction = ray.direction;
     if (!(maxComponent(path.throughput) > 0.0f)) return;
-    if (!next.point) return deposit(path.direction, path.throughput, paths);
+    if (!next.point) return deposit(path, bounce == 0 && path.direction == start, paths);
     surface = viewSurface(scene, *next.point, -path.direction, path.media);
     const Bsdf bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
                     surface.coatNormal);

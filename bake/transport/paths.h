@@ -64,7 +64,7 @@ class PathTracer {
  private:
   bool startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const;
   void leave(const SurfaceView& surface, PathState path, Sampler& sampler, KernelPaths& paths) const;
-  void deposit(vec3 direction, Rgb throughput, KernelPaths& paths) const;
+  void deposit(const PathState& path, bool direct, KernelPaths& paths) const;
   bool escapes(Ray ray, Sampler& sampler) const;
 
   const Intersector& world_;

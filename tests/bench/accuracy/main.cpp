@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 
 struct Options {
   std::vector<std::string> scenes, lights;
-  std::string output;
+  std::string output, place = "both";
   MeasureOptions measure;
   ProbeOptions probe;
 };
@@ -47,8 +47,9 @@ void run(const Options& options) {
   for (const std::string& file : options.scenes) {
     const LabScene scene(file);
     for (const Gloss gloss : {Gloss::diffuse, Gloss::rough, Gloss::sharp}) {
-      append(result["rows"], measureAtViews(scene, gloss, lights, options.measure));
-      if (gloss != Gloss::diffuse)
+      if (options.place != "between")
+        append(result["rows"], measureAtViews(scene, gloss, lights, options.measure));
+      if (options.place != "views" && gloss != Gloss::diffuse)
         append(result["rows"], measureBetween(scene, gloss, lights, options.measure));
     }
   }
@@ -67,6 +68,9 @@ int main(int argc, char** argv) {
   app.add_option("scenes", options.scenes, "glTF scenes")->required();
   app.add_option("--light", options.lights, "Environment images")->required();
   app.add_option("-o,--output", options.output, "JSON to write")->required();
+  app.add_option("--place", options.place, "Where to measure")
+      ->check(CLI::IsMember({"both", "views", "between"}))
+      ->capture_default_str();
   app.add_option("--texels", options.measure.subjects.texels, "Texels of every class")->capture_default_str();
   app.add_option("--boxes", options.measure.boxes, "Boxes of a kernel")->capture_default_str();
   app.add_option("--reference-paths", options.measure.referencePaths)->capture_default_str();

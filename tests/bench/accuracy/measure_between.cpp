@@ -2,7 +2,9 @@
 #include <tbb/parallel_for.h>
 
 #include "bake/kernels/scene_bake.h"
+#include "common/light/lobe_boxes.h"
 #include "common/light/relight.h"
+#include "tests/bench/accuracy/split_scheme.h"
 #include "tests/bench/accuracy/tally.h"
 
 namespace boxlight::accuracy {
@@ -95,6 +97,13 @@ void tryDirect(const KernelPaths& paths, const std::vector<ProbeLight>& lights, 
   sample.trials.push_back({about, boxes.relight(paths)});
 }
 
+void trySplit(const LabScene& scene, const Subject& subject, vec3 direction,
+              const std::vector<ProbeLight>& lights, Row about, Sample& sample) {
+  const SplitOptions options{.paths = about.paths};
+  about.method = "split", about.terms = kLobeBoxes;
+  sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
+}
+
 }  // namespace
 
 std::vector<Row> measureBetween(const LabScene& scene, Gloss gloss, const std::vector<ProbeLight>& lights,
@@ -113,6 +122,7 @@ std::vector<Row> measureBetween(const LabScene& scene, Gloss gloss, const std::v
     KernelPaths paths;
     scene.trace(subjects[subject], gloss, direction, 0x40000u + uint32_t(i), options.paths, paths);
     tryDirect(paths, lights, about, samples[i]);
+    trySplit(scene, subjects[subject], direction, lights, about, samples[i]);
   });
   for (const uint32_t boxes : options.boxes) {
     const Baked baked = bake(scene, subjects, boxes, options.paths);

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "common/light/visibility_map.h"
+#include "tests/bench/accuracy/lab_scene.h"
+
+namespace boxlight::accuracy {
+
+/// Glossy transport as the direct lobe of the exact view, clipped by the texel's visibility, plus what
+/// arrives from hidden directions, stored for the views:
+///   L = sum_j (e_j f_j) mean of the light over the visible part of box j
+///     + H(wo) sum_k b_k I_k / sum_k b_k H_k,   H = sum_j e_j (1 - f_j),
+/// f_j the visible part of box j's solid angle, k the three nearest views, b_k their barycentric weights. The
+/// lobe is that of several points of the texel, in turn, as pixels shade their own.
+struct SplitOptions {
+  uint32_t hiddenBoxes = 4;
+  uint32_t pieces = 24;  ///< rectangles that a clipped lobe has at most
+  uint32_t pixels = 16;  ///< points of the texel that shade their own lobe
+  uint32_t paths = 1024;
+};
+
+class SplitTexel {
+ public:
+  SplitTexel(const LabScene& scene, const Subject& subject, const SplitOptions& options);
+  Radiances relight(vec3 direction, const std::vector<ProbeLight>& lights) const;
+
+ private:
+  std::vector<Box> lobe(vec3 direction, uint32_t pixel) const;
+  std::vector<Box> hidden(uint32_t view) const;
+  double hiddenPart(vec3 direction) const;  ///< H
+
+  const LabScene& scene_;
+  const Subject& subject_;
+  SplitOptions options_;
+  PathOrigin origin_;
+  VisibilityMap map_;
+};
+
+}  // namespace boxlight::accuracy

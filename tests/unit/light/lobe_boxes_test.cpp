@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "common/light/lobe_boxes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "common/light/ggx.h"
+#include "common/light/light_domain.h"
+#include "common/light/summed_area.h"
+
+using namespace boxlight;
+
+namespace {
+
+GgxLobe lobeAt(vec3 normal, float cosine, float turn, vec2 alpha) {
+  GgxLobe lobe;
+  lobe.normal = glm::normalize(normal);
+  orthonormalBasis(lobe.normal, lobe.tangent, lobe.bitangent);
+  const float sine = std::sqrt(1 - cosine * cosine);
+  lobe.view = cosine * lobe.normal + sine * (std::cos(turn) * lobe.tangent + std::sin(turn) * lobe.bitangent);
+  lobe.alpha = alpha;
+  return lobe;
+}
+
+/// Mean of `radiance` over the lobe, by stratified visible normals.
+double exact(const GgxLobe& lobe, const std::function<double(vec3)>& radiance) {
+  constexpr int kSide = 256;
+  const vec3 view(dot(lobe.view, lobe.tangent), dot(lobe.view, lobe.bitangent), dot(lobe.view, lobe.normal));
+  double sum = 0, weights = 0;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const vec2 random((float(i % kSide) + 0.5f) / kSide, (float(i / kSide) + 0.5f) / kSide);
+    const vec3 half = ggx::sampleVisibleNormal(view, lobe.alpha, random);
+    const vec3 light = 2 * dot(view, half) * half - view;
+    if (!(light.z > 0)) continue;
+    const double weight = double(ggx::visibility(light, view, lobe.alpha)) * double(light.z);
+    sum += weight * radiance(light.x * lobe.tangent + light.y * lobe.bitangent + light.z * lobe.normal);
+    weights += weight;
+  }
+  return sum / weights;
+}
+
+SummedArea tableOf(const std::function<double(vec3)>& radiance) {
+  Image map = makeImage(512, 256, 3);
+  for (uint32_t y = 0; y < map.height; ++y)
+    for (uint32_t x = 0; x < map.width; ++x)
+      for (int c = 0; c < 3; ++c)
+        map.at(x, y)[c] = float(radiance(uvToDirection((vec2(x, y) + 0.5f) / vec2(map.width, map.height))));
+  return SummedArea(map);
+}
+
+double relight(const GgxLobe& lobe, const SummedArea& light) {
+  double sum = 0;
+  for (const Box& box : lobeBoxes(lobe))
+    sum += double(box.energy.x) * light.integrate(box, 0).x / box.solidAngle();
+  return sum;
+}
+
+const vec3 kNormals[] = {{0, 1, 0}, {0, -1, 0}, {-1, 0, 1e-4f}, {0.3f, 0.9f, -0.4f}, {1, -0.2f, 0.7f}};
+
+}  // namespace
+
+TEST(LobeBoxes, EnergiesSumToOneAndBoxesAreValid) {
+  for (const vec3 normal : kNormals)
+    for (const float cosine : {1e-3f, 0.05f, 0.5f, 1.0f})
+      for (const vec2 alpha : {vec2(1e-4f), vec2(0.02f), vec2(0.3f), vec2(1), vec2(0.5f, 1e-3f)}) {
+        GgxLobe lobe = lobeAt(normal, cosine, 1, alpha);
+        lobe.f0 = {0.04f, 0.5f, 1};
+        dvec3 sum(0.0);
+        for (const Box& box : lobeBoxes(lobe)) {
+          sum += dvec3(box.energy);
+          EXPECT_TRUE(box.u0 >= 0 && box.u0 < 1 && box.du > 0 && box.du <= 1) << box.u0 << ' ' << box.du;
+          EXPECT_TRUE(box.v0 >= 0 && box.dv > 0 && box.v0 + box.dv <= 1.000001f) << box.v0 << ' ' << box.dv;
+        }
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(sum[c], 1.0, 1e-6) << cosine << ' ' << alpha.x;
+      }
+}
+
+TEST(LobeBoxes, SmoothLightIsIntegratedWell) {
+  const auto light = [](vec3 d) { return 1 + 0.8 * double(d.y) + 0.6 * double(d.x * d.z); };
+  const SummedArea table = tableOf(light);
+  for (const vec3 normal : kNormals)
+    for (const float cosine : {0.1f, 0.6f, 1.0f})
+      for (const vec2 alpha : {vec2(0.01f), vec2(0.1f), vec2(0.25f), vec2(0.2f, 0.02f)}) {
+        const GgxLobe lobe = lobeAt(normal, cosine, 2, alpha);
+        EXPECT_NEAR(relight(lobe, table), exact(lobe, light), 0.04)
+            << normal.y << ' ' << cosine << ' ' << alpha.x;
+      }
+}
+
+TEST(LobeBoxes, AnEdgeAcrossTheLobeIsBlurredByIt) {
+  // Light in front of a plane through the mirror direction turned by t: half at 0, and almost nothing at 3
+  // alpha.
+  for (const float alpha : {0.02f, 0.1f})
+    for (const float turned : {-4.0f, -1.0f, 0.0f, 1.0f, 4.0f}) {
+      const GgxLobe lobe = lobeAt({0.3f, 0.5f, -0.6f}, 0.8f, 0.4f, vec2(alpha));
+      const vec3 mirror = 2 * dot(lobe.view, lobe.normal) * lobe.normal - lobe.view;
+      const vec3 side = glm::normalize(glm::cross(mirror, vec3(0.2f, 1, 0.1f)));
+      const vec3 edge = std::cos(turned * alpha) * side + std::sin(turned * alpha) * mirror;
+      const auto light = [&](vec3 d) { return dot(d, edge) > 0 ? 1.0 : 0.0; };
+      EXPECT_NEAR(relight(lobe, tableOf(light)), exact(lobe, light), 0.09) << alpha << ' ' << turned;
+    }
+}
+
+TEST(LobeBoxes, AnisotropyStretchesThem) {
+  const GgxLobe lobe = lobeAt({1, 0, 0}, 1, 0, {0.3f, 0.02f});
+  const auto across = lobeBoxes(lobe)[0];
+  const bool tangentIsUp = std::abs(lobe.tangent.y) > 0.5f;
+  EXPECT_GT(tangentIsUp ? across.dv / (2 * across.du) : 2 * across.du / across.dv, 5);
+}
+
+TEST(LobeBoxes, NothingJumpsWhenTheViewTurns) {
+  // Over the pole of the light domain and across its seam, in steps of a tenth of a degree.
+  const SummedArea table =
+      tableOf([](vec3 d) { return 1 + double(d.x) + 0.5 * std::sin(6.0 * double(d.z)); });
+  for (const vec3 normal : kNormals) {
+    double before = -1;
+    for (float turn = -1; turn < 1; turn += 0.00175f) {
+      GgxLobe lobe = lobeAt(normal, std::cos(turn), turn < 0 ? 0.7f + kPi : 0.7f, vec2(0.05f));
+      const double value = relight(lobe, table);
+      const double last = before >= 0 ? before : value;
+      EXPECT_NEAR(value, last, 0.03) << normal.y << " at " << turn;
+      before = value;
+    }
+  }
+}
