@@ -11,6 +11,8 @@ struct Deposit {
   vec2 uv{0.0f};         ///< escape direction in the light domain (common/light/light_domain.h)
   Rgb throughput{0.0f};  ///< finite, >= 0
   bool direct = false;   ///< the path met no other surface and no medium scattered it
+
+  bool operator==(const Deposit&) const = default;
 };
 
 }  // namespace boxlight

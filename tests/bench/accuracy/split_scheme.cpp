@@ -81,7 +81,8 @@ std::vector<Box> SplitTexel::lobe(vec3 direction, uint32_t pixel) const {
   const vec3 wo = raiseAboveHorizon(direction, origin_.normal);
   const SurfaceView surface = viewSurfaceSide(scene_.world().scene(), point, wo, origin_.back);
   const Bsdf bsdf(surface.material, surface.toLocal(wo));
-  const auto boxes = lobeBoxes({surface.tangent, surface.bitangent, surface.normal, wo, bsdf.alpha(), bsdf.f0()});
+  const auto boxes =
+      lobeBoxes({surface.tangent, surface.bitangent, surface.normal, wo, bsdf.alpha(), bsdf.f0()});
   return {boxes.begin(), boxes.end()};
 }
 
