@@ -2,7 +2,6 @@
 // Transport where numbers are hard: docs/testing.md, "Transport extremes".
 #include <gtest/gtest.h>
 
-
 #include "bake/kernels/texel_bake.h"
 #include "bake/scene/mesh.h"
 #include "tests/support/path_lab.h"
