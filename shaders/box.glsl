@@ -28,6 +28,9 @@ vec3 unpackEmission(uvec4 packed) {
   return ldexp(vec3(unpackHalf2x16(packed.z), unpackHalf2x16(packed.w).x), ivec3(exponent));
 }
 
+/// box.h: unpackHiddenPart.
+float unpackHiddenPart(uvec4 packed) { return unpackHalf2x16(packed.z).x; }
+
 bool isEmpty(Box box) { return all(equal(box.energy, vec3(0.0))); }
 
 vec3 boxWeight(Box box) { return box.energy / solidAngle(box.du, box.latitudes); }

@@ -2,35 +2,22 @@
 #ifndef BOXLIGHT_EXTENSION_REFLECTANCE_GLSL
 #define BOXLIGHT_EXTENSION_REFLECTANCE_GLSL
 
-#include "material_extension.glsl"
-#include "surface.glsl"
+#include "pixel_lobe.glsl"
 #include "thin_film.glsl"
 
 /// What a pixel multiplies the demodulated radiance with, of the seen side and of the other one, and what it adds.
 struct Reflectance {
   vec3 diffuse, transmitted, glossy, emission;
+  GgxLobe lobe;  // with kSplit
 };
 
-/// The textures of a MaterialExtension at a point, by their places in it; white where there is none.
-struct ExtensionTextures {
-  vec4 value[12];
-  bool coatNormal;  // is there one?
-};
-
-/// One loop over those that there are: filtering is much code, which compilers would repeat for each texture.
-ExtensionTextures sampleExtension(uint index, SurfacePoint point) {
-  ExtensionTextures textures;
-  uint pending = 0;
-  for (uint i = 0; i < 12; ++i) {
-    textures.value[i] = vec4(1.0);
-    if (kTextured && materialExtensions[index].textures[i].texture != kAbsent) pending |= 1u << i;
-  }
-  textures.coatNormal = (pending >> kClearcoatNormalTexture & 1) != 0;
-  for (; kTextured && pending != 0; pending &= pending - 1) {
-    uint i = findLSB(pending);
-    textures.value[i] = sampleRef(materialExtensions[index].textures[i], point, vec4(1.0));
-  }
-  return textures;
+Reflectance makeReflectance(vec3 diffuse, vec3 glossy, vec3 emission) {
+  Reflectance result;
+  result.diffuse = diffuse;
+  result.transmitted = vec3(0.0);
+  result.glossy = glossy;
+  result.emission = emission;
+  return result;
 }
 
 /// KHR_materials_ior; 0 stands for an infinite index.
@@ -49,11 +36,6 @@ void coverWithFilm(inout Surface surface, MaterialExtension extension, Extension
   vec3 conductor = thinFilmReflectance(nDotV, extension.iridescenceIor, thickness, surface.conductorF0);
   surface.dielectricF0 = mix(surface.dielectricF0, schlickF0(dielectric, nDotV), film);
   surface.conductorF0 = mix(surface.conductorF0, schlickF0(conductor, nDotV), film);
-}
-
-/// KHR_materials_anisotropy's strength.
-float sampleAnisotropy(MaterialExtension extension, ExtensionTextures textures) {
-  return extension.anisotropy * textures.value[kAnisotropyTexture].b;
 }
 
 /// The roughness whose alpha is the geometric mean of those along the tangent and the bitangent.
@@ -133,7 +115,7 @@ Reflectance extendBase(Surface surface, BaseLayer base, uint index, ExtensionTex
   CoatLayer coat = coatLayer(extension, textures, point, front, toEye);
   float below = 1.0 - coat.weight;
   if ((materials[index].flags & kMultipleScattering) != 0) base.reflected *= multipleScattering(base);
-  Reflectance result;
+  Reflectance result = makeReflectance(vec3(0.0), vec3(0.0), vec3(0.0));
   splitDiffuse(extension, textures, surface.baseColor, below * sheen.passed * base.scattered * (1.0 - transmission), result);
   result.glossy = below * (sheen.passed * (base.reflected + transmittedLobe(surface, base, transmission)) + sheen.reflected) +
                   coat.weight * coat.albedo;

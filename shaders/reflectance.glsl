@@ -11,17 +11,21 @@ Reflectance reflectance(uint index, SurfacePoint point, bool front, vec3 normal,
   ExtensionTextures textures;
   if (kExtended) textures = sampleExtension(index, point);
   Surface surface = sampleSurface(material, point);
-  if (kExtended && (material.flags & kUnlit) != 0) return Reflectance(vec3(0.0), vec3(0.0), vec3(0.0), surface.baseColor);
-  float nDotV = max(dot(normal, toEye), kMinimumCosine);
+  if (kExtended && (material.flags & kUnlit) != 0) return makeReflectance(vec3(0.0), vec3(0.0), surface.baseColor);
+  float nDotV = max(dot(normal, toEye), kMinimumCosine), roughness = surface.roughness;
+  Anisotropy anisotropy = Anisotropy(0.0, vec2(1.0, 0.0));
   if (kExtended) {
     surface.dielectricF0 =
         surface.specular * min(dielectricReflectance(materialExtensions[index].ior) * surface.specularColor, vec3(1.0));
     if (kFilm) coverWithFilm(surface, materialExtensions[index], textures, nDotV);
-    surface.roughness = isotropicRoughness(surface.roughness, sampleAnisotropy(materialExtensions[index], textures));
+    anisotropy = sampleAnisotropy(materialExtensions[index], textures);
+    surface.roughness = isotropicRoughness(roughness, anisotropy.strength);
   }
   BaseLayer base = baseLayer(surface, nDotV);
-  if (!kExtended) return Reflectance(surface.baseColor * base.scattered, vec3(0.0), base.reflected, vec3(0.0));
-  return extendBase(surface, base, index, textures, point, front, toEye, nDotV);
+  Reflectance result = makeReflectance(surface.baseColor * base.scattered, base.reflected, vec3(0.0));
+  if (kExtended) result = extendBase(surface, base, index, textures, point, front, toEye, nDotV);
+  if (kSplit) result.lobe = pixelLobe(base, roughness, anisotropy, point, normal, toEye);
+  return result;
 }
 
 #endif

@@ -37,7 +37,7 @@ SHARED_CONSTANT kBindRowSums = 18;             // RowSum
 SHARED_CONSTANT kBindSummedArea = 19;          // packed prefixes
 SHARED_CONSTANT kBindVisible = 20;             // VisibleHeader, then record indices
 SHARED_CONSTANT kBindMarks = 21;               // one word a record
-SHARED_CONSTANT kBindShaded = 22;              // two vec4 a record: diffuse, glossy; then see below
+SHARED_CONSTANT kBindShaded = 22;              // kShadedRadiances vec4 a record, then see below
 SHARED_CONSTANT kBindTables = 23;              // floats: see kTable... below
 SHARED_CONSTANT kBindBackground = 24;          // environment image, RGB floats
 SHARED_CONSTANT kBindPicture = 25;             // RGBA floats of one image tile
@@ -46,8 +46,9 @@ SHARED_CONSTANT kBindTextureTransforms = 27;   // asset::TextureTransform
 SHARED_CONSTANT kBindBlended = 28;             // indices of the blended triangles, ascending
 SHARED_CONSTANT kBindLayers = 29;              // LayerHeader, then uvec2[layer][sample]: triangle + 1, alpha
 SHARED_CONSTANT kBindLayerDepths = 30;         // floats[2][sample]: of the opaque triangle, of the last layer
-SHARED_CONSTANT kBufferBindings = 31;
-SHARED_CONSTANT kBindVisibility = 31;  // r32ui image: triangle + 1, or 0
+SHARED_CONSTANT kBindVisibilityMaps = 31;      // by record the place of its map or kAbsent, then maps
+SHARED_CONSTANT kBufferBindings = 32;
+SHARED_CONSTANT kBindVisibility = 32;  // r32ui image: triangle + 1, or 0
 
 // Specialisation constants of every shader that looks at surfaces: what an asset does not have is not
 // compiled in.
@@ -64,18 +65,26 @@ SHARED_CONSTANT kConstantOtherSide = 9;      // ... with diffuse transmission
 SHARED_CONSTANT kConstantFilm = 10;          // ... with iridescence
 SHARED_CONSTANT kConstantLayers = 11;        // blended layers at most, 0 without asset::kAlphaBlend
 SHARED_CONSTANT kConstantNormalMapped = 12;  // any normal map of a base layer
-SHARED_CONSTANT kSurfaceConstants = 13;
+SHARED_CONSTANT kConstantSplit = 13;         // any asset::kSplitLobe
+SHARED_CONSTANT kSurfaceConstants = 14;
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
-// Fresnel factor [n.v], the linear values of the 256 sRGB codes, and, where anything has a sheen, its
-// albedo [n.v][roughness].
+// Fresnel factor [n.v], the linear values of the 256 sRGB codes, the cells of round lobes and of streaks
+// (each area, spread, and of every sample cosine and sine of phi and 1 - random.y), and, where anything has a
+// sheen, its albedo [n.v][roughness].
 SHARED_CONSTANT kAlbedoNodes = 64;
 SHARED_CONSTANT kTableFresnel = 2 * kAlbedoNodes * kAlbedoNodes;
 SHARED_CONSTANT kTableSrgb = kTableFresnel + kAlbedoNodes;
-SHARED_CONSTANT kTableSheen = kTableSrgb + 256;
+SHARED_CONSTANT kLobeBoxes = 18;
+SHARED_CONSTANT kLobeSamples = 4;  // of each
+SHARED_CONSTANT kLobeCellFloats = 2 + 3 * kLobeSamples;
+SHARED_CONSTANT kTableRoundCells = kTableSrgb + 256;
+SHARED_CONSTANT kTableStripCells = kTableRoundCells + kLobeBoxes * kLobeCellFloats;
+SHARED_CONSTANT kTableSheen = kTableStripCells + kLobeBoxes * kLobeCellFloats;
 
-// Shaded records: after two vec4 of each, where anything has a normal map, three of each: how diffuse R, G
-// and B change with the normal.
+// Shaded records: two vec4 of each, diffuse and glossy, whose a is the hidden part that it stands for where
+// the record's lobe is split; then, where anything has a normal map, three of each: how diffuse R, G and B
+// change with the normal.
 SHARED_CONSTANT kShadedRadiances = 2;
 SHARED_CONSTANT kShadedGradients = 3;
 

@@ -17,8 +17,8 @@ vec4 sampleIfTextured(TextureRef ref, SurfacePoint point, vec4 absent) {
 /// The interpolated normal of the front side.
 vec3 interpolatedNormal(SurfacePoint point) { return normalize(interpolate3(point.vertices, point.weight, kNormalAt)); }
 
-/// The same, bent by the value of a normal map.
-vec3 bentNormal(vec3 texel, float scale, SurfacePoint point) {
+/// A direction of the tangent frame (glTF 2.0, section 3.7.2.1) on the front side; the normal where there is no tangent.
+vec3 fromTangentSpace(vec3 direction, SurfacePoint point) {
   vec3 normal = interpolatedNormal(point);
   vec4 stored = interpolate4(point.vertices, point.weight, kTangentAt);
   vec3 tangent = stored.xyz - dot(stored.xyz, normal) * normal;
@@ -26,9 +26,13 @@ vec3 bentNormal(vec3 texel, float scale, SurfacePoint point) {
   if (size < 1e-6) return normal;
   tangent /= size;
   vec3 bitangent = (stored.w < 0.0 ? -1.0 : 1.0) * cross(normal, tangent);
+  return normalize(direction.x * tangent + direction.y * bitangent + direction.z * normal);
+}
+
+/// The interpolated normal, bent by the value of a normal map.
+vec3 bentNormal(vec3 texel, float scale, SurfacePoint point) {
   vec3 mapped = 2.0 * texel - 1.0;
-  mapped.xy *= scale;
-  return normalize(mapped.x * tangent + mapped.y * bitangent + mapped.z * normal);
+  return fromTangentSpace(vec3(scale * mapped.xy, mapped.z), point);
 }
 
 vec3 shadingNormal(Material material, SurfacePoint point) {
@@ -64,6 +68,7 @@ float strongest(vec3 v) { return max(v.r, max(v.g, v.b)); }
 /// The core's part of the pixel.
 struct BaseLayer {
   vec3 f0;
+  float f90;
   vec2 albedo;      // (A, B)
   float scattered;  // k_d (1 - metallic)
   vec3 reflected;   // F0 A + F90 B
@@ -75,8 +80,9 @@ BaseLayer baseLayer(Surface surface, float nDotV) {
   base.scattered = (1.0 - surface.metallic) *
                    (1.0 - mix(dielectric, surface.specular, diffuseFresnel(nDotV)));
   base.f0 = mix(surface.dielectricF0, surface.conductorF0, surface.metallic);
+  base.f90 = mix(surface.specular, 1.0, surface.metallic);
   base.albedo = specularAlbedo(surface.roughness, nDotV);
-  base.reflected = base.f0 * base.albedo.x + mix(surface.specular, 1.0, surface.metallic) * base.albedo.y;
+  base.reflected = base.f0 * base.albedo.x + base.f90 * base.albedo.y;
   return base;
 }
 

@@ -3,6 +3,7 @@
 #define BOXLIGHT_VIEWS_GLSL
 
 #include "frame.glsl"
+#include "horizon.glsl"
 
 layout(std430, binding = kBindViews) readonly buffer Views { ViewTriangle viewTriangles[]; };
 
@@ -24,15 +25,6 @@ ViewBlend locateView(vec3 direction) {
   }
   weight = max(weight, vec3(0.0));
   return ViewBlend(viewTriangles[t].view.xyz, weight / (weight.x + weight.y + weight.z));
-}
-
-/// view_sphere.h: raiseAboveHorizon, for directions that are not exactly opposite to the normal.
-vec3 raiseAboveHorizon(vec3 direction, vec3 normal, float cosine) {
-  float current = dot(direction, normal);
-  if (current >= cosine) return direction;
-  vec3 along = direction - current * normal;
-  along /= max(length(along), 1e-6);
-  return normalize(cosine * normal + sqrt(1.0 - cosine * cosine) * along);
 }
 
 #endif

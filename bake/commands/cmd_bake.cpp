@@ -19,7 +19,7 @@ namespace boxlight {
 namespace {
 
 struct BakeOptions {
-  std::string scene, output, preset = "preview", atlasUv = "auto";
+  std::string scene, output, preset = "preview", atlasUv = "auto", scheme = "sketch";
   TransportOptions transport;
   uint32_t atlas = 0, views = 92, boxes = 0, paths = 0;  ///< 0: as the preset says
 };
@@ -39,6 +39,12 @@ const std::map<std::string, AtlasSource>& atlasSources() {
                                                            {"chart", AtlasSource::chart},
                                                            {"0", AtlasSource::texcoord0},
                                                            {"1", AtlasSource::texcoord1}};
+  return table;
+}
+
+const std::map<std::string, asset::Scheme>& schemes() {
+  static const std::map<std::string, asset::Scheme> table = {{"sketch", asset::Scheme::sketch},
+                                                             {"split", asset::Scheme::split}};
   return table;
 }
 
@@ -69,7 +75,7 @@ nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
       {"tool", "ptbake " BOXLIGHT_VERSION},
       {"scene", {{"file", scene.path.filename().string()}, {"xxh64", fmt::format("{:016x}", scene.hash)}}},
       {"options",
-       {{"scheme", "sketch"},
+       {{"scheme", o.scheme},
         {"atlas", o.atlas},
         {"atlasUv", o.atlasUv},
         {"views", o.views},
@@ -82,8 +88,11 @@ nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
 }
 
 void announce(const BakeCost& cost) {
-  log().info("{} texel records, {} kernels, {:.1f} million paths; boxes take {:.1f} MiB before compression",
-             cost.records, cost.kernels, double(cost.paths) * 1e-6, double(cost.pageBytes) / (1 << 20));
+  const auto mebibytes = [](uint64_t bytes) { return double(bytes) / (1 << 20); };
+  const std::string maps =
+      cost.mapBytes ? fmt::format(", visibility maps {:.1f} MiB", mebibytes(cost.mapBytes)) : "";
+  log().info("{} texel records, {} kernels, {:.1f} million paths; boxes take {:.1f} MiB{} before compression",
+             cost.records, cost.kernels, double(cost.paths) * 1e-6, mebibytes(cost.pageBytes), maps);
 }
 
 void bake(BakeOptions options, const CommonOptions& common) {
@@ -97,7 +106,7 @@ void bake(BakeOptions options, const CommonOptions& common) {
   const AtlasReport atlas = chooseAtlas(scene, {options.atlas, atlasSources().at(options.atlasUv), progress});
   const TexelMap map = makeTexels(scene, options.atlas, options.atlas);
   const Intersector world(scene);
-  const std::vector<RecordPlan> records = planRecords(world, map);
+  const std::vector<RecordPlan> records = planRecords(world, map, schemes().at(options.scheme));
   const ViewSphere sphere(frequencyOf(options.views));
   const KernelOptions kernels{options.paths,
                               options.boxes,
@@ -135,6 +144,13 @@ void addBakeCommand(CLI::App& app, CommonOptions& common) {
       ->add_option("--atlas-uv", o->atlasUv,
                    "Where the atlas comes from: TEXCOORD_0 or _1, charts of our own, or what fits")
       ->check(CLI::IsMember({"auto", "chart", "0", "1"}))
+      ->capture_default_str();
+  command
+      ->add_option("--scheme", o->scheme,
+                   "sketch: boxes are all there is to gloss. split: boxes hold what other surfaces send, the "
+                   "direct lobe is shaded per pixel; where a material has more than GGX reflection it is "
+                   "still sketch")
+      ->check(CLI::IsMember({"sketch", "split"}))
       ->capture_default_str();
   command->add_option("--views", o->views, "View directions")
       ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))

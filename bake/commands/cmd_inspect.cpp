@@ -108,6 +108,14 @@ Json bytesToJson(const AssetReader& reader, const Summary& summary) {
           {"diffusePages", pagesToJson(summary.diffuse, records)}};
 }
 
+Json mapsToJson(const AssetReader& reader) {
+  Json maps = {{"count", reader.asset().visibilityMaps.size()}, {"stored", 0}, {"raw", 0}};
+  for (const ChunkEntry& entry : reader.chunks())
+    if (entry.type == asset::chunk::kVisibilityMaps)
+      maps["stored"] = entry.storedSize, maps["raw"] = entry.rawSize;
+  return maps;
+}
+
 Json toJson(const AssetReader& reader) {
   const Asset& asset = reader.asset();
   const asset::Info& info = asset.info;
@@ -115,7 +123,7 @@ Json toJson(const AssetReader& reader) {
   return {
       {"file", reader.path().string()},
       {"version", fmt::format("{}.{}", reader.header().majorVersion, reader.header().minorVersion)},
-      {"scheme", "sketch"},
+      {"scheme", asset::schemeName(asset.scheme)},
       {"provenance", asset.provenance},
       {"bounds", {{"min", info.boundsMin}, {"max", info.boundsMax}}},
       {"atlas",
@@ -128,6 +136,7 @@ Json toJson(const AssetReader& reader) {
         {"textures", info.textureCount},
         {"records", info.recordCount},
         {"tiles", info.tileCount}}},
+      {"visibilityMaps", mapsToJson(reader)},
       {"materialTerms", materialTerms(asset)},
       {"bytes", bytesToJson(reader, summary)}};
 }
@@ -184,6 +193,9 @@ void printText(const Json& summary) {
   for (const auto& [key, value] : summary["counts"].items()) print(key.c_str(), value.dump());
   for (const auto& [key, value] : summary["materialTerms"].items())
     print("", fmt::format("{} material{} with {}", value.dump(), value == 1 ? "" : "s", key));
+  if (const Json& maps = summary["visibilityMaps"]; maps["count"] != 0)
+    print("visibility", fmt::format("{} maps of split records, {} bytes of {}", maps["count"].dump(),
+                                    maps["stored"].dump(), maps["raw"].dump()));
   const Json& bytes = summary["bytes"];
   for (const char* kind : {"glossyPages", "diffusePages"})
     if (const Json& emitted = bytes[kind]["emittedKernels"]; emitted != 0)

@@ -25,12 +25,12 @@ std::span<const RecordPlan> recordsOf(const asset::Tile& tile, const std::vector
   return std::span(records).subspan(tile.firstRecord, tile.recordCount);
 }
 
-/// All glossy kernels of a tile have the boxes that its most layered material asks for.
-uint32_t glossyLobes(std::span<const RecordPlan> records) {
-  uint32_t lobes = 0;
+/// All glossy kernels of a tile have the slots that its most demanding record asks for.
+uint32_t glossySlots(std::span<const RecordPlan> records, const KernelOptions& options) {
+  uint32_t slots = 0;
   for (const RecordPlan& plan : records)
-    if (plan.glossy) lobes = std::max(lobes, plan.glossyLobes);
-  return lobes;
+    if (plan.glossy) slots = std::max(slots, options.glossySlots(plan));
+  return slots;
 }
 
 std::vector<asset::Tile> makeTiles(const std::vector<RecordPlan>& records, const KernelOptions& options) {
@@ -39,7 +39,7 @@ std::vector<asset::Tile> makeTiles(const std::vector<RecordPlan>& records, const
     const uint32_t count = std::min(asset::kTileRecords, uint32_t(records.size()) - first);
     asset::Tile tile{first, count, 0, 0};
     const auto own = recordsOf(tile, records);
-    tile.glossyBoxes = options.glossyBoxes(glossyLobes(own));
+    tile.glossyBoxes = glossySlots(own, options);
     if (std::any_of(own.begin(), own.end(), [](const RecordPlan& plan) { return plan.lambert; }))
       tile.diffuseBoxes = options.lambertBoxes();
     tiles.push_back(tile);
@@ -62,10 +62,10 @@ void fillPages(BakedScene& baked, uint32_t tile, std::span<RecordKernels> kernel
   range.diffuseBoxes += lambertLit;
   range.glossyBoxes += glossyLit;
   auto append = [&](uint32_t stream, uint32_t bit, const RecordKernel& kernel, bool lit) {
-    if (kernel.boxes.empty()) return;
+    if (kernel.slots.empty()) return;
     auto& page = baked.pages[stream * tileCount + tile];
     if (lit) page.push_back(packEmission(kernel.emission));
-    page.insert(page.end(), kernel.boxes.begin(), kernel.boxes.end());
+    page.insert(page.end(), kernel.slots.begin(), kernel.slots.end());
     baked.asset.streamMasks[stream * tileCount + tile] |= uint64_t(1) << bit;
   };
   for (uint32_t r = 0; r < kernels.size(); ++r) {
@@ -73,6 +73,27 @@ void fillPages(BakedScene& baked, uint32_t tile, std::span<RecordKernels> kernel
     for (uint32_t view = 0; view < glossy.size(); ++view) append(view, r, glossy[view], glossyLit);
     append(baked.asset.diffuseStream(), r, kernels[r].lambert, lambertLit);
   }
+}
+
+/// What records and then tiles add up to, in their order: the same whatever the threads.
+struct TileResult {
+  double energy = 0, removed = 0;
+  std::vector<VisibilityMap> maps;
+
+  void add(const RecordKernels& record) {
+    energy += record.energy + record.removed, removed += record.removed;
+    if (record.visibility) maps.push_back(*record.visibility);
+  }
+  void add(const TileResult& tile) {
+    energy += tile.energy, removed += tile.removed;
+    maps.insert(maps.end(), tile.maps.begin(), tile.maps.end());
+  }
+};
+
+asset::Scheme schemeOf(const std::vector<RecordPlan>& records) {
+  const bool split =
+      std::any_of(records.begin(), records.end(), [](const RecordPlan& plan) { return plan.isSplit(); });
+  return split ? asset::Scheme::split : asset::Scheme::sketch;
 }
 
 }  // namespace
@@ -87,8 +108,9 @@ BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& 
                    lambert = plan.lambert;
     cost.kernels += glossy + lambert;
     cost.paths += glossy * options.glossyPaths(plan.glossyLobes) + lambert * options.lambertPaths();
-    cost.pageBytes += (glossy * options.glossyBoxes(plan.glossyLobes) + lambert * options.lambertBoxes()) *
-                      sizeof(PackedBox);
+    cost.pageBytes +=
+        (glossy * options.glossySlots(plan) + lambert * options.lambertBoxes()) * sizeof(PackedBox);
+    if (plan.isSplit()) cost.mapBytes += sizeof(VisibilityMap), cost.paths += VisibilityMap::kCells;
   }
   return cost;
 }
@@ -108,30 +130,28 @@ BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::v
   result.streamMasks.assign(result.streamCount() * result.tiles.size(), 0);
   baked.pages.resize(result.streamMasks.size());
 
-  struct Energy {
-    double all = 0, removed = 0;
-  };
-  std::vector<Energy> energy(
-      result.tiles.size());  // summed in the order of the tiles: the same whatever the threads
+  result.scheme = schemeOf(records);
+
+  std::vector<TileResult> tiles(result.tiles.size());
   tbb::enumerable_thread_specific<TexelBaker> bakers([&] { return TexelBaker(world, map, sphere, options); });
   Progress progress("bake", records.size(), style);
   tbb::parallel_for(size_t(0), result.tiles.size(), [&](size_t tile) {
     const auto own = recordsOf(result.tiles[tile], records);
-    const uint32_t lobes = glossyLobes(own);
+    const uint32_t slots = result.tiles[tile].glossyBoxes;
     std::vector<RecordKernels> kernels;
     for (const RecordPlan& plan : own) {
       if (interrupted()) return;
-      kernels.push_back(bakers.local().bake(plan, lobes));
-      energy[tile].all += kernels.back().energy + kernels.back().removed;
-      energy[tile].removed += kernels.back().removed;
+      kernels.push_back(bakers.local().bake(plan, slots));
+      tiles[tile].add(kernels.back());
       progress.advance();
     }
     fillPages(baked, uint32_t(tile), kernels);
   });
   throwIfInterrupted("interrupted: no asset was written; run the same command again");
-  Energy total;
-  for (const Energy& e : energy) total.all += e.all, total.removed += e.removed;
-  baked.removed = total.all > 0.0 ? total.removed / total.all : 0.0;
+  TileResult total;
+  for (const TileResult& tile : tiles) total.add(tile);
+  result.visibilityMaps = std::move(total.maps);
+  baked.removed = total.energy > 0.0 ? total.removed / total.energy : 0.0;
   return baked;
 }
 

@@ -19,7 +19,7 @@ struct BakedScene {
 /// What a bake is about to cost, for the user to see before it starts.
 struct BakeCost {
   uint64_t records = 0, kernels = 0, paths = 0;
-  uint64_t pageBytes = 0;  ///< before compression
+  uint64_t pageBytes = 0, mapBytes = 0;  ///< of boxes and visibility maps, before compression
 };
 BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& sphere,
                       const KernelOptions& options);

@@ -2,11 +2,13 @@
 #include "bake/kernels/texel_bake.h"
 
 #include "bake/kernels/box_match.h"
+#include "bake/kernels/visibility_trace.h"
 
 namespace boxlight {
 namespace {
 
 constexpr uint32_t kBackStreams = 0x10000u;  ///< added to a stream's number on the back side of a texel
+constexpr uint32_t kMapStream = 0x8000u;     ///< apart from every view's
 
 std::vector<PackedBox> pack(const std::vector<Box>& boxes, size_t count) {
   std::vector<PackedBox> packed(count);
@@ -28,9 +30,12 @@ TexelBaker::TexelBaker(const Intersector& world, const TexelMap& map, const View
   key_.seed = options.seed;
 }
 
-std::vector<Box> TexelBaker::fit(BoxFitter& fitter, uint32_t boxes, RecordKernels& result) {
+void TexelBaker::account(RecordKernels& result) const {
   for (const Deposit& deposit : paths_.deposits) result.energy += double(luminance(deposit.throughput));
   result.removed += paths_.removed;
+}
+
+std::vector<Box> TexelBaker::fit(BoxFitter& fitter, uint32_t boxes) const {
   return paths_.traced ? fitter.fit(paths_.deposits, paths_.traced, int(boxes)) : std::vector<Box>{};
 }
 
@@ -38,46 +43,73 @@ void TexelBaker::bakeLambert(const PathOrigin& origin, uint32_t stream, RecordKe
   paths_.clear();
   key_.stream = stream;
   tracer_.traceLambert(origin, key_, options_.lambertPaths(), paths_);
-  const std::vector<Box> boxes = fit(lambertFitter_, options_.lambertBoxes(), result);
+  account(result);
+  const std::vector<Box> boxes = fit(lambertFitter_, options_.lambertBoxes());
   result.lambert.emission = paths_.emission();
   if (!boxes.empty() || maxComponent(result.lambert.emission) > 0.0f)
-    result.lambert.boxes = pack(boxes, options_.lambertBoxes());
+    result.lambert.slots = pack(boxes, options_.lambertBoxes());
 }
 
-void TexelBaker::bakeGlossy(const PathOrigin& origin, uint32_t firstStream, uint32_t glossyLobes,
-                            RecordKernels& result) {
+void TexelBaker::traceView(const PathOrigin& origin, uint32_t view, const GlossyKernels& kernels,
+                           RecordKernels& result) {
+  paths_.clear();
+  key_.stream = kernels.firstStream + view;
+  const vec3 wo = raiseAboveHorizon(sphere_.directions()[view], origin.normal);
+  tracer_.traceGlossy(origin, wo, key_, kernels.paths, paths_);
+  account(result);
+}
+
+void TexelBaker::bakeWhole(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result) {
   const std::vector<bool> stored = viewsOfHemisphere(sphere_, origin.normal);
-  const uint32_t slots = options_.glossyBoxes(glossyLobes);
-  std::vector<std::vector<Box>> kernels(sphere_.viewCount());
+  std::vector<std::vector<Box>> boxes(sphere_.viewCount());
   std::vector<Rgb> emission(sphere_.viewCount(), Rgb(0.0f));
   bool anyLight = false;
   for (uint32_t view = 0; view < sphere_.viewCount(); ++view) {
     if (!stored[view]) continue;
-    paths_.clear();
-    key_.stream = firstStream + view;
-    const vec3 wo = raiseAboveHorizon(sphere_.directions()[view], origin.normal);
-    tracer_.traceGlossy(origin, wo, key_, options_.glossyPaths(glossyLobes), paths_);
-    kernels[view] = fit(glossyFitter_, slots, result);
+    traceView(origin, view, kernels, result);
+    boxes[view] = fit(glossyFitter_, kernels.slots);
     emission[view] = paths_.emission();
-    anyLight |= !kernels[view].empty() || maxComponent(emission[view]) > 0.0f;
+    anyLight |= !boxes[view].empty() || maxComponent(emission[view]) > 0.0f;
     // A view that no light reaches is stored as such: a view that is not stored would be left out of the
     // interpolation.
-    if (kernels[view].empty()) kernels[view].push_back({0, 0, 1, 1, Rgb(0.0f)});
+    if (boxes[view].empty()) boxes[view].push_back({0, 0, 1, 1, Rgb(0.0f)});
   }
   if (!anyLight) return;
-  matchSlots(sphere_, origin.normal, kernels, int(slots));
-  result.glossy.resize(kernels.size());
-  for (uint32_t view = 0; view < kernels.size(); ++view)
-    if (stored[view]) result.glossy[view] = {pack(kernels[view], slots), emission[view]};
+  matchSlots(sphere_, origin.normal, boxes, int(kernels.slots));
+  result.glossy.resize(boxes.size());
+  for (uint32_t view = 0; view < boxes.size(); ++view)
+    if (stored[view]) result.glossy[view] = {pack(boxes[view], kernels.slots), emission[view]};
 }
 
-RecordKernels TexelBaker::bake(const RecordPlan& plan, uint32_t glossyLobes) {
+void TexelBaker::bakeSplit(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result) {
+  const std::vector<bool> stored = viewsOfHemisphere(sphere_, origin.normal);
+  result.glossy.resize(sphere_.viewCount());
+  for (uint32_t view = 0; view < sphere_.viewCount(); ++view) {
+    if (!stored[view]) continue;
+    traceView(origin, view, kernels, result);
+    if (!(paths_.hidden > 0.0)) continue;
+    std::erase_if(paths_.deposits, [](const Deposit& deposit) { return deposit.direct; });
+    RecordKernel& kernel = result.glossy[view];
+    kernel.slots = pack(fit(glossyFitter_, kernels.slots - 1), kernels.slots - 1);
+    kernel.slots.insert(kernel.slots.begin(), packHiddenPart(paths_.hiddenPart()));
+    kernel.emission = paths_.emission();
+  }
+  key_.stream = kernels.firstStream + kMapStream;
+  result.visibility = traceVisibility(world_, origin, key_);
+}
+
+RecordKernels TexelBaker::bake(const RecordPlan& plan, uint32_t glossySlots) {
   const PathOrigin origin = plan.origin(world_, map_);
   const uint32_t side = origin.back ? kBackStreams : 0u;
   key_.texel = plan.record.atlasY * map_.width + plan.record.atlasX;
   RecordKernels result;
   if (plan.lambert) bakeLambert(origin, side + sphere_.viewCount(), result);
-  if (plan.glossy) bakeGlossy(origin, side, glossyLobes, result);
+  if (!plan.glossy) return result;
+  const GlossyKernels kernels{side, options_.glossyPaths(plan.glossyLobes), glossySlots};
+  if (plan.isSplit())
+    bakeSplit(origin, kernels, result);
+  else
+    bakeWhole(origin, kernels, result);
   return result;
 }
 

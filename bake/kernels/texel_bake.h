@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "bake/kernels/box_fit.h"
 #include "bake/kernels/texel_records.h"
 #include "bake/transport/paths.h"
 #include "common/light/view_sphere.h"
+#include "common/light/visibility_map.h"
 
 namespace boxlight {
 
@@ -25,21 +27,27 @@ struct KernelOptions {
   uint32_t glossyBoxes(uint32_t lobes) const {
     return std::min(std::min(lobes, 2u) * boxes, kMaxFittedBoxes);
   }
+  /// Slots of a split lobe's kernels: its hidden part, and half the boxes, since the direct light takes none.
+  uint32_t splitSlots() const { return 1 + (boxes + 1) / 2; }
+  uint32_t glossySlots(const RecordPlan& plan) const {
+    return plan.isSplit() ? splitSlots() : glossyBoxes(plan.glossyLobes);
+  }
 
   static constexpr uint32_t kMaxFittedBoxes = 64;
 };
 
 struct RecordKernel {
-  std::vector<PackedBox>
-      boxes;           ///< of as many slots as was asked for; empty if the record has no such kernel
+  /// As many slots as was asked for, emitted radiance not among them; empty if the record has no such kernel.
+  std::vector<PackedBox> slots;
   Rgb emission{0.0f};  ///< radiance from the scene's emitters
 };
 
 /// The kernels of one record as they will stand in the pages.
 struct RecordKernels {
   RecordKernel lambert;
-  std::vector<RecordKernel> glossy;  ///< [view], or empty
-  double energy = 0, removed = 0;    ///< luminance of all deposits, and what PathLimits::throughput took
+  std::vector<RecordKernel> glossy;         ///< [view], or empty
+  std::optional<VisibilityMap> visibility;  ///< of a split record
+  double energy = 0, removed = 0;  ///< luminance of all deposits, and what PathLimits::throughput took
 };
 
 /// Bakes records one by one; owns scratch memory, so keep one per thread. What it returns depends on its
@@ -49,14 +57,21 @@ class TexelBaker {
   TexelBaker(const Intersector& world, const TexelMap& map, const ViewSphere& sphere,
              const KernelOptions& options);
 
-  /// `glossyLobes` decides how many boxes a glossy kernel has; all records of a tile agree in it.
-  RecordKernels bake(const RecordPlan& plan, uint32_t glossyLobes);
+  /// A glossy kernel gets `glossySlots`, at least those of KernelOptions::glossySlots: all records of a tile
+  /// agree in it.
+  RecordKernels bake(const RecordPlan& plan, uint32_t glossySlots);
 
  private:
   void bakeLambert(const PathOrigin& origin, uint32_t stream, RecordKernels& result);
-  void bakeGlossy(const PathOrigin& origin, uint32_t firstStream, uint32_t glossyLobes,
-                  RecordKernels& result);
-  std::vector<Box> fit(BoxFitter& fitter, uint32_t boxes, RecordKernels& result);
+  struct GlossyKernels {
+    uint32_t firstStream, paths, slots;  // of each
+  };
+  void bakeWhole(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result);
+  void bakeSplit(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result);
+  void traceView(const PathOrigin& origin, uint32_t view, const GlossyKernels& kernels,
+                 RecordKernels& result);
+  void account(RecordKernels& result) const;
+  std::vector<Box> fit(BoxFitter& fitter, uint32_t boxes) const;
 
   const Intersector& world_;
   const TexelMap& map_;

@@ -26,6 +26,7 @@ struct TexelMeans {
   float roughness = 0, metallic = 0;
   uint32_t material = 0, glossyLobes = 0;
   bool diffuse = false, transmits = false, doubleSided = false;
+  bool splits = true;  ///< no view-dependent lobe but GGX reflection
 };
 
 TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footprint) {
@@ -44,6 +45,7 @@ TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footp
     metallic += kShare * m.metallic;
     material = scene.triangles[point.triangle].material;
     glossyLobes = std::max(glossyLobes, bsdf.viewDependentCount());
+    splits &= bsdf.viewDependentCount() == uint32_t(bsdf.has(kSpecular));
     diffuse |= bsdf.has(kDiffuse);
     transmits |= bsdf.has(kDiffuseTransmit);
   }
@@ -81,7 +83,8 @@ RecordPlan planSide(const TexelMap& map, uint32_t index, const TexelMeans& means
 }
 
 /// The records of one texel: one or two.
-std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map, uint32_t index) {
+std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map, uint32_t index,
+                                  asset::Scheme scheme) {
   const TexelMeans means(world.scene(), map.footprint(map.texels[index]));
   std::vector<RecordPlan> plans = {planSide(map, index, means, false)};
   RecordPlan back = planSide(map, index, means, true);
@@ -93,6 +96,8 @@ std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map,
     plans[side].lambert = (seen && means.diffuse) || (otherSeen && means.transmits);
     plans[side].glossy = seen && means.glossyLobes > 0;
     plans[side].glossyLobes = means.glossyLobes;
+    if (scheme == asset::Scheme::split && plans[side].glossy && means.splits)
+      plans[side].record.flags |= asset::kSplitLobe;
   }
   return plans;
 }
@@ -108,10 +113,10 @@ PathOrigin RecordPlan::origin(const Intersector& world, const TexelMap& map) con
           mediaAround(world, footprint, back)};
 }
 
-std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map) {
+std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map, asset::Scheme scheme) {
   std::vector<std::vector<RecordPlan>> texels(map.texels.size());
   tbb::parallel_for(size_t(0), texels.size(),
-                    [&](size_t i) { texels[i] = planTexel(world, map, uint32_t(i)); });
+                    [&](size_t i) { texels[i] = planTexel(world, map, uint32_t(i), scheme); });
   std::vector<RecordPlan> plans;
   for (const auto& sides : texels) plans.insert(plans.end(), sides.begin(), sides.end());
   return plans;

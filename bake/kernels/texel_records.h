@@ -17,12 +17,16 @@ struct RecordPlan {
   bool glossy = false;   ///< it is seen, and has view-dependent lobes
   uint32_t glossyLobes = 0;  ///< view-dependent lobes with directions of their own, at most
 
+  /// Is its one glossy lobe split? (asset::Scheme::split)
+  bool isSplit() const { return (record.flags & asset::kSplitLobe) != 0; }
   PathOrigin origin(const Intersector& world, const TexelMap& map) const;
 };
 
 /// The records of a scene in texel order: the front of every covered texel; the back where it is seen
 /// (double-sided, and reached by light from outside) or where diffuse transmission gathers from it.
-std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map);
+/// Scheme::split splits the lobes of those that do nothing view-dependent but reflect by GGX.
+std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map,
+                                    asset::Scheme scheme = asset::Scheme::sketch);
 
 /// The records that each atlas texel shows; gutter texels show those of their nearest covered texel.
 std::vector<asset::AtlasTexel> indirection(const TexelMap& map, const std::vector<RecordPlan>& records);

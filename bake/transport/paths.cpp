@@ -17,6 +17,15 @@ bool hasVolumes(const Scene& scene) {
                      [](const asset::Material& m) { return m.flags & asset::kVolume; });
 }
 
+/// Of a path that leaves by view-dependent lobes, divided by their albedo; 0 if it leaves by none.
+Rgb firstThroughput(const Bsdf& bsdf, const LobeSample& drawn) {
+  if (drawn.wi == vec3(0.0f) && !drawn.delta) return Rgb(0.0f);
+  const LobeValue lobe =
+      drawn.delta ? LobeValue{drawn.weight, 1.0f} : bsdf.evaluate(drawn.wi, kViewDependent);
+  if (!(lobe.density > 0.0f)) return Rgb(0.0f);
+  return lobe.value / lobe.density / glm::max(bsdf.viewDependentAlbedo(), Rgb(1e-6f));
+}
+
 }  // namespace
 
 void KernelPaths::clear() {
@@ -24,6 +33,7 @@ void KernelPaths::clear() {
   emitted = dvec3(0.0);
   traced = 0;
   removed = 0;
+  hidden = 0;
 }
 
 bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const {
@@ -54,12 +64,15 @@ void PathTracer::leave(const SurfaceView& first, PathState path, Sampler& sample
   const Scene& scene = world_.scene();
   SurfaceView surface = first;
   const vec3 start = path.direction;
+  const double lobe = double(luminance(path.throughput));
   for (uint32_t bounce = 0;; ++bounce) {
     Ray ray = leaveSurface(scene, surface, path.direction);
     const Travel next = travel(world_, path.media, ray, path.throughput, sampler);
     path.direction = ray.direction;
+    const bool direct = bounce == 0 && !next.point && path.direction == start;
+    if (bounce == 0 && !direct) paths.hidden += lobe;
     if (!(maxComponent(path.throughput) > 0.0f)) return;
-    if (!next.point) return deposit(path, bounce == 0 && path.direction == start, paths);
+    if (!next.point) return deposit(path, direct, paths);
     surface = viewSurface(scene, *next.point, -path.direction, path.media);
     const Bsdf bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
                     surface.coatNormal);
@@ -98,13 +111,12 @@ void PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey&
     const vec2 random = sampler.next2();
     const float choice = bsdf.viewDependentCount() > 1 ? sampler.next() : 0.0f;
     const LobeSample drawn = bsdf.sample(choice, random, kViewDependent);
-    PathState state{-wo, Rgb(1.0f), origin.media};
-    if (!turnPath(surface, drawn, state)) continue;
-    const LobeValue lobe =
-        drawn.delta ? LobeValue{drawn.weight, 1.0f} : bsdf.evaluate(drawn.wi, kViewDependent);
-    if (!(lobe.density > 0.0f) || maxComponent(lobe.value) <= 0.0f) continue;
-    state.throughput = lobe.value / lobe.density / glm::max(bsdf.viewDependentAlbedo(), Rgb(1e-6f));
-    leave(surface, state, sampler, paths);
+    PathState state{-wo, firstThroughput(bsdf, drawn), origin.media};
+    if (!(maxComponent(state.throughput) > 0.0f)) continue;
+    if (turnPath(surface, drawn, state))
+      leave(surface, state, sampler, paths);
+    else
+      paths.hidden += double(luminance(state.throughput));
   }
 }
 

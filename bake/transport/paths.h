@@ -33,10 +33,15 @@ struct KernelPaths {
   dvec3 emitted{0.0};   ///< sum of throughput times the radiance of emitters met
   uint32_t traced = 0;  ///< paths, those that escaped nowhere included
   double removed = 0;   ///< luminance that PathLimits::throughput took, summed like the deposits
+  /// Sum of the luminances of first throughputs that do not leave the scene straight away: rays that meet a
+  /// surface or scatter in a medium, and those below the geometric horizon.
+  double hidden = 0;
 
   void clear();
   /// Mean radiance by way of the scene's emitters.
   Rgb emission() const { return traced ? Rgb(emitted / double(traced)) : Rgb(0.0f); }
+  /// Which part of the lobe sees something else than the distant light.
+  float hiddenPart() const { return traced ? float(hidden / double(traced)) : 0.0f; }
 };
 
 /// Backward photon tracing, docs/theory.md section 2: paths start on a texel, stratified over its surface and

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/asset/asset_format.h"
+#include "common/light/visibility_map.h"
 
 namespace boxlight::asset {
 
@@ -23,9 +24,11 @@ struct Asset {
   std::vector<AtlasTexel> atlas;
   std::vector<TexelRecord> records;
   std::vector<Tile> tiles;
-  std::vector<uint64_t> streamMasks;  ///< [stream * tileCount + tile]
+  std::vector<VisibilityMap> visibilityMaps;  ///< of the records with kSplitLobe, in their order
+  std::vector<uint64_t> streamMasks;          ///< [stream * tileCount + tile]
 
   uint32_t streamCount() const { return info.viewCount + 1; }
+  bool isSplit(uint32_t record) const { return (records[record].flags & kSplitLobe) != 0; }
   uint32_t diffuseStream() const { return info.viewCount; }
   uint64_t mask(uint32_t stream, uint32_t tile) const {
     return streamMasks[size_t(stream) * tiles.size() + tile];

@@ -48,7 +48,7 @@ void checkRecord(const Asset& asset, const ChunkSet& present, uint32_t index, co
   if (present.has({chunk::kInfo}) &&
       (r.atlasX >= asset.info.atlasWidth || r.atlasY >= asset.info.atlasHeight))
     bad(recordTexel, "outside the atlas");
-  if ((r.flags & ~uint32_t(kBackSide)) != 0 || r.reserved != 0 || r.emissionSlot != kNone)
+  if ((r.flags & ~uint32_t(kBackSide | kSplitLobe)) != 0 || r.reserved != 0 || r.emissionSlot != kNone)
     bad(reserved, "unknown flags, emissionSlot or reserved field");
 }
 
@@ -139,6 +139,7 @@ void checkTables(const Asset& asset, const ChunkSet& present, const Reporter& re
   checkTextures(asset, present, report);
   checkAtlas(asset, present, report);
   checkTiles(asset, present, report);
+  checkSplit(asset, present, report);
 }
 
 }  // namespace boxlight::asset

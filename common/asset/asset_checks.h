@@ -23,6 +23,7 @@ void checkMaterialExtensions(const Asset& asset, const ChunkSet& present, const 
 void checkTextures(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkAtlas(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkSplit(const Asset& asset, const ChunkSet& present, const Reporter& report);
 
 /// Does each table have as many entries as Info says?
 void checkCounts(const LoadedAsset& loaded, const Reporter& report);
@@ -46,6 +47,11 @@ void checkReferences(const Asset& asset, const ChunkSet& present, const Material
 /// The boxes of one page, kernel after kernel.
 void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const std::string& place,
                 const Reporter& report);
+
+/// Have exactly the glossy kernels of split records a hidden part, behind emitted radiance and before the
+/// boxes?
+void checkHiddenParts(const Asset& asset, uint32_t stream, uint32_t tile, std::span<const PackedBox> page,
+                      const Reporter& report);
 
 /// Do the pages of a tile agree, of its glossy streams and of its Lambert stream each, on whether their
 /// kernels begin with emitted radiance? (checkBoxes looks inside one page.) Does a file that has any have

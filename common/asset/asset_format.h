@@ -16,7 +16,8 @@ static_assert(std::endian::native == std::endian::little, "records are read and 
 
 inline constexpr uint8_t kMagic[8] = {0xAB, 'P', 'T', 'B', '\r', '\n', 0x1A, '\n'};
 inline constexpr uint16_t kMajorVersion = 1;  ///< a reader refuses any other
-inline constexpr uint16_t kMinorVersion = 1;  ///< 1.1 adds MATX, TXFM and kernels with emitted radiance
+/// 1.1 adds MATX, TXFM and kernels with emitted radiance; 1.2 the scheme split with VISI.
+inline constexpr uint16_t kMinorVersion = 2;
 inline constexpr uint32_t kNone = 0xFFFFFFFFu;
 inline constexpr uint32_t kTileRecords =
     64;  ///< texel records per tile at most: one bit each in a 64-bit mask
@@ -42,8 +43,10 @@ constexpr uint32_t fourCc(const char (&name)[5]) {
          uint32_t(uint8_t(name[3])) << 24;
 }
 
-/// How transport is represented. One scheme exists in version 1.
-enum class Scheme : uint32_t { sketch = 1 };
+/// How transport is represented. Of a file of scheme split, the records with kSplitLobe are; the others are
+/// as in a sketch.
+enum class Scheme : uint32_t { sketch = 1, split = 2 };
+const char* schemeName(Scheme scheme);  ///< as `ptbake bake --scheme` has it
 
 enum class Codec : uint32_t {
   none = 0,
@@ -85,8 +88,10 @@ inline constexpr uint32_t kTextureTransforms = fourCc("TXFM");  ///< TextureTran
 inline constexpr uint32_t kTextures = fourCc("TEXI");           ///< Texture[]
 inline constexpr uint32_t kTexels = fourCc("TEXD");  ///< RGBA8 texels of all textures, row 0 at the top
 inline constexpr uint32_t kAtlas = fourCc("ATLS");   ///< AtlasTexel[atlasWidth * atlasHeight], row 0 is v = 0
-inline constexpr uint32_t kRecords = fourCc("RECS");      ///< TexelRecord[recordCount]
-inline constexpr uint32_t kTiles = fourCc("TILE");        ///< Tile[tileCount]
+inline constexpr uint32_t kRecords = fourCc("RECS");  ///< TexelRecord[recordCount]
+inline constexpr uint32_t kTiles = fourCc("TILE");    ///< Tile[tileCount]
+inline constexpr uint32_t kVisibilityMaps =
+    fourCc("VISI");  ///< VisibilityMap[records with kSplitLobe]; optional
 inline constexpr uint32_t kStreamMasks = fourCc("MASK");  ///< uint64_t[streamCount][tileCount]
 inline constexpr uint32_t kPageIndex = fourCc("PGIX");    ///< PageEntry[streamCount][tileCount]
 inline constexpr uint32_t kPages = fourCc("PAGE");        ///< PackedBox pages, stream-major; Codec::pages
@@ -218,7 +223,8 @@ struct AtlasTexel {
 static_assert(sizeof(AtlasTexel) == 8);
 
 enum RecordFlags : uint32_t {
-  kBackSide = 1u << 0,  ///< the normal below is turned to the back of the surface
+  kBackSide = 1u << 0,   ///< the normal below is turned to the back of the surface
+  kSplitLobe = 1u << 1,  ///< glossy kernels hold what comes from hidden directions only; Scheme::split
 };
 
 /// One side of one texel: where its kernels were traced, and with which first-hit parameters (means over the

@@ -24,6 +24,7 @@ void forEachTable(A& asset, F&& f) {
   f(chunk::kAtlas, asset.atlas);
   f(chunk::kRecords, asset.records);
   f(chunk::kTiles, asset.tiles);
+  f(chunk::kVisibilityMaps, asset.visibilityMaps);
   f(chunk::kStreamMasks, asset.streamMasks);
 }
 

@@ -24,7 +24,8 @@ constexpr std::array kRequired = {
     chunk::kTextures,    chunk::kTexels,    chunk::kAtlas,    chunk::kRecords,   chunk::kTiles,
     chunk::kStreamMasks, chunk::kPageIndex, chunk::kPages};
 
-constexpr std::array kOptionalTables = {chunk::kMaterialExtensions, chunk::kTextureTransforms};
+constexpr std::array kOptionalTables = {chunk::kMaterialExtensions, chunk::kTextureTransforms,
+                                        chunk::kVisibilityMaps};
 
 /// May a reader that does not know the type do without it?
 bool isSkippable(uint32_t type) { return (type & 0xFF) >= 'a' && (type & 0xFF) <= 'z'; }
@@ -39,6 +40,8 @@ std::span<std::byte> bytesOf(T& value) {
 }
 
 }  // namespace
+
+const char* schemeName(Scheme scheme) { return scheme == Scheme::split ? "split" : "sketch"; }
 
 bool isKnownChunk(uint32_t type) {
   return std::find(kRequired.begin(), kRequired.end(), type) != kRequired.end() || isOptionalTable(type);
@@ -122,9 +125,9 @@ bool ChunkFile::readTable(const Reporter& report) {
   readAt(sizeof header_, table);
   if (const uint64_t hash = xxh64(head); hash != header_.headHash)
     report(headHash, kHead, "chunk table", "hash {:016x}, recorded {:016x}", hash, header_.headHash);
-  if (header_.scheme != Scheme::sketch) {
-    report(scheme, kHead, "scheme", "transport scheme {}, this program knows {} (sketch)",
-           uint32_t(header_.scheme), uint32_t(Scheme::sketch));
+  if (header_.scheme != Scheme::sketch && header_.scheme != Scheme::split) {
+    report(scheme, kHead, "scheme", "transport scheme {}, this program knows {} (sketch) and {} (split)",
+           uint32_t(header_.scheme), uint32_t(Scheme::sketch), uint32_t(Scheme::split));
     return false;
   }
   chunks_.resize(count);

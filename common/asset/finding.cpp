@@ -63,6 +63,8 @@ constexpr FindingKind kKinds[] = {
     {vertexAtlasUv, warning, "an atlas coordinate lies outside [0,1]", kBakeAgain},
     {extensionMissing, error, "what needs MATX is in a file without it", kBakeAgain},
     {extensionValue, error, "a value of a material extension is one that no reader can use", kBakeAgain},
+    {visibilityMaps, error, "there is not one visibility map for each split record, or the scheme has none",
+     kBakeAgain},
     {pageSize, error, "a page's raw size is not what its mask and tile say", kBakeAgain},
     {pageRange, error, "a page lies outside its chunk", kBakeAgain},
     {pageHash, error, "the hash of a page differs", kCopyAgain},
@@ -74,6 +76,8 @@ constexpr FindingKind kKinds[] = {
      "bake with more paths; fireflies look like this"},
     {boxKind, error, "a box is of an unknown kind, or emitted radiance is not in the first slot", kBakeAgain},
     {emittedSlots, error, "kernels of a tile do not agree on whether they begin with emitted radiance",
+     kBakeAgain},
+    {hiddenPart, error, "a split record's kernel does not say its hidden part once, or another kernel does",
      kBakeAgain},
 };
 

@@ -58,6 +58,7 @@ enum class FindingCode : int {
   vertexAtlasUv = 322,
   extensionMissing = 323,
   extensionValue = 324,
+  visibilityMaps = 325,
   pageSize = 401,
   pageRange = 402,
   pageHash = 403,
@@ -67,6 +68,7 @@ enum class FindingCode : int {
   kernelEnergy = 407,
   boxKind = 408,
   emittedSlots = 409,
+  hiddenPart = 410,
 };
 
 /// What does not depend on the file at hand. `exitCode` is what a program that cannot go on ends with.

@@ -26,6 +26,7 @@ bool readEnergy(const PackedBox& box, Rgb& energy) {
 
 /// Edges of a light box inside the light domain, emitted radiance inside single precision?
 bool inRange(const PackedBox& box) {
+  if (isHiddenPart(box)) return true;
   if (!isEmission(box)) return uint32_t(box.v0) + box.dv <= 65535;
   const int exponent = int(box.du) - 32768;
   return exponent >= kMinEmissionExponent && exponent <= kMaxEmissionExponent &&
@@ -89,14 +90,14 @@ void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const
              std::forward<Args>(args)...);
     };
     if (slot == 0) sum = Rgb(0.0f);
-    if (box.kind > kEmittedRadiance || (slot > 0 && isEmission(box))) bad(boxKind, "kind {}", box.kind);
+    if (box.kind > kHiddenPart || (slot > 0 && isEmission(box))) bad(boxKind, "kind {}", box.kind);
     if (slot == 0 && isEmission(box) != isEmission(boxes[0]))
       bad(emittedSlots, "kind {}, the page's first kernel has {}", box.kind, boxes[0].kind);
     if (!inRange(box)) bad(boxRange, "kind {}, v0 {}, dv {}, du {}", box.kind, box.v0, box.dv, box.du);
     Rgb energy;
     if (!readEnergy(box, energy))
       bad(boxEnergy, "half floats {:#06x} {:#06x} {:#06x}", box.energy[0], box.energy[1], box.energy[2]);
-    else if (!isEmission(box))
+    else if (box.kind == kLightBox)
       sum += energy;
     if (slot + 1 == boxesPerKernel && maxComponent(sum) > kEnergyAlarm)
       report(kernelEnergy, chunk::kPages, kernel(), "energy {:.3g} {:.3g} {:.3g}", sum.x, sum.y, sum.z);

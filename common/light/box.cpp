@@ -62,4 +62,13 @@ Rgb unpackEmission(const PackedBox& packed) {
   return radiance;
 }
 
+PackedBox packHiddenPart(float part) {
+  PackedBox packed;
+  packed.kind = kHiddenPart;
+  packed.energy[0] = glm::packHalf1x16(part);
+  return packed;
+}
+
+float unpackHiddenPart(const PackedBox& packed) { return glm::unpackHalf1x16(packed.energy[0]); }
+
 }  // namespace boxlight

@@ -23,6 +23,7 @@ struct Box {
 /// PackedBox::kind.
 inline constexpr uint16_t kLightBox = 0;
 inline constexpr uint16_t kEmittedRadiance = 1;  ///< not a box: radiance that does not depend on the light
+inline constexpr uint16_t kHiddenPart = 2;  ///< not a box: how much of a split lobe the kernel stands for
 
 /// A box as it stands in asset pages and in storage buffers: 16 bytes, four little-endian 32-bit words in
 /// GLSL. Normative in docs/format.md, section "Box".
@@ -31,7 +32,7 @@ struct PackedBox {
   uint16_t du = 0,
            dv = 0;  ///< size = (code + 1) / 65536: never zero, and 65535 reaches a full ring or both poles
   uint16_t energy[3] = {0, 0, 0};  ///< IEEE half floats; all zero in an empty box
-  uint16_t kind = 0;               ///< kLightBox or kEmittedRadiance
+  uint16_t kind = 0;               ///< kLightBox, kEmittedRadiance or kHiddenPart
 };
 static_assert(sizeof(PackedBox) == 16);
 
@@ -46,5 +47,11 @@ Box unpackBox(const PackedBox& packed);
 PackedBox packEmission(Rgb radiance);
 Rgb unpackEmission(const PackedBox& packed);
 inline bool isEmission(const PackedBox& packed) { return packed.kind == kEmittedRadiance; }
+
+/// The part of a lobe's energy that points at other surfaces, [0,1] but for noise; the kernel's boxes are
+/// what arrives from there. Kernels of records with asset::kSplitLobe have such a slot before their boxes.
+PackedBox packHiddenPart(float part);
+float unpackHiddenPart(const PackedBox& packed);
+inline bool isHiddenPart(const PackedBox& packed) { return packed.kind == kHiddenPart; }
 
 }  // namespace boxlight

@@ -16,14 +16,38 @@ struct GgxLobe {
   float f90 = 1;
 };
 
-inline constexpr uint32_t kLobeBoxes = 10;
+inline constexpr uint32_t kLobeBoxes = 18, kLobeSamples = 4;
+
+/// What a box is made from: the random numbers that its directions are drawn with (ggx.h:
+/// sampleVisibleNormal), the part of the unit square that they stand for, and how much wider the box is than
+/// a uniform one with their spread.
+struct LobeCell {
+  std::array<vec2, kLobeSamples> random;
+  float area = 0, spread = 1;
+};
+using LobeCells = std::array<LobeCell, kLobeBoxes>;
+
+/// A core, four rings of four and a tail, for lobes that are about as wide as high; or strips across local x.
+const LobeCells& roundCells();
+const LobeCells& stripCells();
+/// Strips are for lobes whose alpha along x is more than this times the other: boxes that are aligned with
+/// the light domain cannot follow a narrow streak any other way.
+inline constexpr float kStripRatio = 2;
+
+/// Local x of an isotropic lobe that its boxes are best aligned with: half vectors that differ along it
+/// reflect to directions that differ in u.
+vec3 lobeTangent(vec3 normal, vec3 view);
 
 /// The lobe f cos / (its directional albedo, both without Fresnel) as boxes whose energies sum to 1: no fit,
 /// no table, continuous in everything that it depends on.
-///   The square of random numbers that sampleVisibleNormal (ggx.h) takes is cut into kLobeBoxes cells: a
-///   core, two rings of four and a tail. Each becomes the box with the mean and 1.1 times the spread of 3 x 3
-///   reflected directions in it; a uniform box of width d has a variance of d^2 / 12, a uniform arc of d
-///   turns the mean vector sin(pi d) / (pi d). A box's energy is the mean of F G2 / G1 times its cell's area.
+///   The square of random numbers that sampleVisibleNormal takes is cut into cells. Each becomes the box with
+///   the mean and the spread of reflected directions in it; a uniform box of width d has a variance of
+///   d^2 / 12, a uniform arc of d turns the mean vector sin(pi d) / (pi d). A box's energy is the mean of
+///   F G2 / G1 times its cell's area.
 std::array<Box, kLobeBoxes> lobeBoxes(const GgxLobe& lobe);
+
+/// The lobe's directional albedo, Fresnel factor included, by the same directions: what the directional
+/// albedo of a pixel, which knows no anisotropy, is put right with.
+Rgb lobeAlbedo(const GgxLobe& lobe);
 
 }  // namespace boxlight

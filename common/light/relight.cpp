@@ -112,8 +112,29 @@ TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& li
   const vec3 normal = toVec3(texel.normal), towards = eye - toVec3(texel.position);
   const float distance = glm::length(towards);
   const vec3 view = distance > 0.0f ? towards / distance : normal;
-  radiance.glossy = glossy(record, raiseAboveHorizon(view, normal), lights, uOffset, interpolation, maxBoxes);
+  const vec3 raised = raiseAboveHorizon(view, normal);
+  if (asset_.isSplit(record))
+    addHidden(record, raised, lights, uOffset, maxBoxes, radiance);
+  else
+    radiance.glossy = glossy(record, raised, lights, uOffset, interpolation, maxBoxes);
   return radiance;
+}
+
+void Relighter::addHidden(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,
+                          uint32_t maxBoxes, TexelRadiance& radiance) {
+  const ViewBlend blend = views_.locate(view);
+  for (int k = 0; k < 3; ++k) {
+    const auto slots = kernel(blend.view[k], record);
+    if (slots.empty()) continue;
+    const auto weight = double(blend.weight[k]);
+    const size_t hidden = emissionSlots(slots);
+    if (hidden > 0) radiance.glossy += weight * dvec3(unpackEmission(slots.front()));
+    radiance.hidden += weight * double(unpackHiddenPart(slots[hidden]));
+    for (size_t j = hidden + 1; j < lastSlot(slots.size(), hidden + 1, maxBoxes); ++j) {
+      const Box box = unpackBox(slots[j]);
+      radiance.glossy += weight * light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
+    }
+  }
 }
 
 dmat3 Relighter::diffuseGradient(uint32_t record, const SummedArea& lights, double uOffset,

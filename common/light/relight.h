@@ -43,6 +43,7 @@ InterpolatedBox interpolateBoxes(const std::array<Box, 3>& boxes, vec3 weight, I
 /// what a camera sees.
 struct TexelRadiance {
   dvec3 diffuse{0.0}, glossy{0.0};
+  double hidden = 0;  ///< of a split lobe: the part that `glossy` stands for (lobe_clip.h)
 };
 
 /// Boxes closer to the horizon, and those below it that bounced light comes from, fade out of the gradient.
@@ -61,6 +62,8 @@ class Relighter {
   /// direction is raised to kHorizonCosine above the record's normal. The first `maxBoxes` boxes take part;
   /// they are stored by falling energy. Emitted radiance is added to them, interpolated like energy. A view
   /// without a kernel for this record is left out and the weights of the others are scaled to sum to 1.
+  /// Of a record with asset::kSplitLobe the glossy radiance is what its hidden directions send: the sum over
+  /// the three views of weight_k times each kernel's own radiance; a view without a kernel hides nothing.
   TexelRadiance relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset = 0.0,
                         Interpolation interpolation = Interpolation::energy, uint32_t maxBoxes = ~0u);
 
@@ -79,6 +82,8 @@ class Relighter {
  private:
   dvec3 glossy(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,
                Interpolation interpolation, uint32_t maxBoxes);
+  void addHidden(uint32_t record, vec3 view, const SummedArea& lights, double uOffset, uint32_t maxBoxes,
+                 TexelRadiance& radiance);
 
   const asset::Asset& asset_;
   PageProvider pages_;

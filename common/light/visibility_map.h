@@ -13,23 +13,27 @@ namespace boxlight {
 /// It depends neither on the view nor on the material.
 class VisibilityMap {
  public:
-  static constexpr uint32_t kColumns = 128, kRows = 64;
+  static constexpr uint32_t kColumns = 128, kRows = 64, kCells = kColumns * kRows;
+  using Row = std::array<uint32_t, kColumns / 32>;  ///< the lowest bit is the leftmost cell
 
-  bool isVisible(uint32_t x, uint32_t y) const { return words_[word(x, y)] >> (x & 31u) & 1u; }
-  void setVisible(uint32_t x, uint32_t y) { words_[word(x, y)] |= 1u << (x & 31u); }
+  bool isVisible(uint32_t x, uint32_t y) const { return rows_[y][x / 32] >> (x & 31u) & 1u; }
+  void setVisible(uint32_t x, uint32_t y) { rows_[y][x / 32] |= 1u << (x & 31u); }
+  const Row& row(uint32_t y) const { return rows_[y]; }
+
+  bool operator==(const VisibilityMap&) const = default;
 
  private:
-  static size_t word(uint32_t x, uint32_t y) { return size_t(y) * (kColumns / 32) + x / 32; }
-  std::array<uint32_t, kColumns * kRows / 32> words_{};
+  std::array<Row, kRows> rows_{};
 };
 
-/// A part of a rectangle, around what is visible of it.
-struct VisibleRectangle {
-  Rectangle rectangle;
-  double visible = 0;  ///< solid angle of its visible cells inside the original rectangle
+/// What is visible of a rectangle.
+struct VisiblePart {
+  double part = 0;   ///< of its solid angle, 0 to 1
+  Rectangle around;  ///< the smallest rectangle inside that has all of its visible cells; 0 if there are none
 };
 
-/// The smallest rectangle inside `whole` that has all of its visible cells; visible = 0 if there are none.
-VisibleRectangle shrinkToVisible(const Rectangle& whole, const VisibilityMap& map);
+/// Cells at the rectangle's edges count by as much as it covers of them. Of a rectangle higher than 8 rows,
+/// every second (third, ...) of the map stands for the others.
+VisiblePart scanVisible(const Rectangle& whole, const VisibilityMap& map);
 
 }  // namespace boxlight

@@ -11,6 +11,7 @@
 #include "runtime/kernels/scene_buffers.h"
 #include "runtime/kernels/shade.h"
 #include "runtime/kernels/visibility.h"
+#include "runtime/kernels/visibility_maps.h"
 #include "runtime/light/light_table.h"
 
 namespace boxlight::gpu {
@@ -112,6 +113,7 @@ struct FrameRenderer::Parts {
   std::optional<LayerPass> layers;
   std::optional<ResolvePass> resolve;
   std::optional<ResidentPages> pages;
+  std::optional<VisibilityMaps> maps;
   std::optional<ShadePass> shade;
   FrameCounts counts;
   Image picture;
@@ -150,6 +152,7 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const
   findVisible();
   const std::vector<VisibleRecord> visible = visibility.readList(gpu);
   pages.emplace(gpu, bindings, reader, visible, settings.camera.eye, settings.poolBytes, settings.threads);
+  if (hasSplitLobes(reader.asset())) maps.emplace(gpu, bindings, reader.asset(), visible);
   shade.emplace(gpu, bindings, reader.asset(), pages->poolCount(), pages->emitters(), settings.interpolation);
   constants[kConstantLayers] = counts.layers;
   resolve.emplace(gpu, bindings, constants, uint64_t(tiles.front().size.x) * tiles.front().size.y);
@@ -157,7 +160,7 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const
   counts.boxes = pages->countBoxes(reader.asset(), visible, settings.boxLimit);
   counts.pages = pages->pageCount();
   counts.pageBytes = pages->bytes();
-  counts.sceneBytes = scene.bytes();
+  counts.sceneBytes = scene.bytes() + (maps ? maps->bytes() : 0);
 }
 
 void FrameRenderer::Parts::findVisible() {

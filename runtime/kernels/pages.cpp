@@ -173,7 +173,9 @@ uint64_t ResidentPages::countBoxes(const asset::Asset& asset, std::span<const Vi
   for (const auto& [record, glossy] : visible) {
     const uint32_t t = tileOf(asset, record);
     boxes += std::min(asset.tiles[t].diffuseBoxes - lambertEmits_[t], boxLimit);
-    if (glossy) boxes += std::min(asset.tiles[t].glossyBoxes - glossyEmits_[t], boxLimit);
+    if (!glossy) continue;
+    const uint32_t slots = asset.tiles[t].glossyBoxes - glossyEmits_[t];
+    boxes += asset.isSplit(record) ? 3 * std::min(slots - 1, boxLimit) : std::min(slots, boxLimit);
   }
   return boxes;
 }

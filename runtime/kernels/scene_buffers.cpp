@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/kernels/scene_buffers.h"
 
+#include <cassert>
+#include <cmath>
+
 #include "common/image/image.h"
 #include "common/light/directional_albedo.h"
+#include "common/light/lobe_boxes.h"
 #include "common/light/sheen.h"
 #include "common/light/view_sphere.h"
 #include "runtime/kernels/surface_constants.h"
@@ -39,6 +43,17 @@ std::vector<ViewTriangle> makeViewTriangles(const ViewSphere& sphere) {
   return triangles;
 }
 
+void addLobeCells(std::vector<float>& tables, const LobeCells& cells) {
+  static_assert(boxlight::kLobeBoxes == kLobeBoxes && boxlight::kLobeSamples == kLobeSamples);
+  for (const LobeCell& cell : cells) {
+    tables.insert(tables.end(), {cell.area, cell.spread});
+    for (const vec2 random : cell.random) {
+      const float phi = 2 * kPi * random.x;
+      tables.insert(tables.end(), {std::cos(phi), std::sin(phi), 1 - random.y});
+    }
+  }
+}
+
 std::vector<float> makeTables(bool sheen) {
   static_assert(AlbedoTable::kSize == kAlbedoNodes);
   std::vector<float> tables;
@@ -46,6 +61,10 @@ std::vector<float> makeTables(bool sheen) {
   const auto& fresnel = albedoTable().fresnelNodes;
   tables.insert(tables.end(), fresnel.begin(), fresnel.end());
   for (int code = 0; code < 256; ++code) tables.push_back(decodeSrgb(float(code) / 255.0f));
+  assert(tables.size() == kTableRoundCells);
+  addLobeCells(tables, roundCells());
+  assert(tables.size() == kTableStripCells);
+  addLobeCells(tables, stripCells());
   assert(tables.size() == kTableSheen);
   if (sheen) tables.insert(tables.end(), sheen::albedoNodes().begin(), sheen::albedoNodes().end());
   return tables;

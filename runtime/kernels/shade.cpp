@@ -23,8 +23,8 @@ std::vector<vec4> ShadedRecords::read(Device& device) const {
 ShadePass::ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
                      bool emitters, Interpolation interpolation)
     : pipeline_(device, bindings, shade_comp,
-                std::array<uint32_t, 5>{interpolation == Interpolation::weight, poolCount, isGlossy(asset),
-                                        emitters, isNormalMapped(asset)}) {}
+                std::array<uint32_t, 6>{interpolation == Interpolation::weight, poolCount, isGlossy(asset),
+                                        emitters, isNormalMapped(asset), hasSplitLobes(asset)}) {}
 
 void ShadePass::shade(Commands& commands, const Buffer& list) const {
   commands.dispatchIndirect(pipeline_, list, offsetof(VisibleHeader, groups));

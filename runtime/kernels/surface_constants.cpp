@@ -43,6 +43,8 @@ bool hasSheen(const asset::Asset& asset) {
   });
 }
 
+bool hasSplitLobes(const asset::Asset& asset) { return !asset.visibilityMaps.empty(); }
+
 SurfaceConstants surfaceConstants(const asset::Asset& asset, bool background, uint32_t layers) {
   using Extension = asset::MaterialExtension;
   SurfaceConstants constants{};
@@ -60,6 +62,7 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, bool background, ui
   constants[kConstantFilm] = anyExtension(asset, [](const Extension& e) { return e.iridescence > 0.0f; });
   constants[kConstantLayers] = layers;
   constants[kConstantNormalMapped] = isNormalMapped(asset);
+  constants[kConstantSplit] = hasSplitLobes(asset);
   return constants;
 }
 

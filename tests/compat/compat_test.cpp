@@ -12,7 +12,7 @@ namespace {
 struct Version {
   const char* file;
   uint64_t contentHash;
-  bool extensions;
+  SampleSize sample;
 };
 
 class Compatibility : public ::testing::TestWithParam<Version> {};
@@ -26,18 +26,22 @@ TEST_P(Compatibility, readsAsItDid) {
   EXPECT_EQ(reader.asset().provenance["tool"], "sample 1.0");
   EXPECT_EQ(reader.asset().records[4].atlasX, 4u);
   EXPECT_EQ(reader.page(12, 1).size(), 8u);
-  EXPECT_EQ(reader.asset().materialExtensions.empty(), !GetParam().extensions);
+  EXPECT_EQ(reader.asset().materialExtensions.empty(), !GetParam().sample.extensions);
+  EXPECT_EQ(reader.asset().visibilityMaps.size(), GetParam().sample.split ? 3u : 0u);
+  EXPECT_EQ(isHiddenPart(reader.page(2, 1)[1]), GetParam().sample.split) << "record 3, behind its emission";
 }
 
 TEST_P(Compatibility, isWhatIsWrittenToday) {
   const TemporaryFile file;
-  makeSample({.extensions = GetParam().extensions}).write(file.path);
+  makeSample(GetParam().sample).write(file.path);
   EXPECT_EQ(contentHash(file.path), GetParam().contentHash);
 }
 
-INSTANTIATE_TEST_SUITE_P(Versions, Compatibility,
-                         ::testing::Values(Version{"version-1.0.ptb", 0xe9acc4d4c205abbdull, false},
-                                           Version{"version-1.1.ptb", 0x2494a6ebac4d2b26ull, true}));
+INSTANTIATE_TEST_SUITE_P(
+    Versions, Compatibility,
+    ::testing::Values(Version{"version-1.0.ptb", 0xe9acc4d4c205abbdull, {.extensions = false}},
+                      Version{"version-1.1.ptb", 0x2494a6ebac4d2b26ull, {}},
+                      Version{"version-1.2.ptb", 0xe0cf0c3ba180b77aull, {.split = true}}));
 
 }  // namespace
 }  // namespace boxlight::asset

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Does the reader written from the document (read_ptb.py) see what the C++ reader sees? Every number must be equal.
 
-    compare_readers.py FORMAT_TOOL ASSET.ptb [--every N]     of texels and pages, every Nth
+    compare_readers.py FORMAT_TOOL ASSET.ptb [--every N]     of texels, maps and pages, every Nth
 """
 import argparse
 import json
@@ -20,8 +20,10 @@ def expected_tables(ptb, every):
     for name in ("INFO", "VERT", "TRIS", "MATL", "MATX", "TXFM", "TEXI"):
         yield name, ptb.tables[name]
     yield "TEXD", [ptb.texels[i : i + 4] for i in range(0, len(ptb.texels), 4 * every)]
-    for name in ("ATLS", "RECS", "TILE", "MASK"):
+    for name in ("ATLS", "RECS", "TILE"):
         yield name, ptb.tables[name]
+    yield "VISI", ptb.tables["VISI"][::every]
+    yield "MASK", ptb.tables["MASK"]
     directions, triangles = read_ptb.view_sphere(ptb.frequency)
     yield "views", directions
     yield "viewTriangles", triangles

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the C++ side of the format's agreement test needs:
-//   format_tool sample OUT.ptb            write a small asset with a value of its own in every field
-//   format_tool dump ASSET.ptb [EVERY]    print all values as JSON, one table a line; of the pages, every
-//   EVERYth
+//   format_tool sample OUT.ptb [split]    write a small asset with a value of its own in every field
+//   format_tool dump ASSET.ptb [EVERY]    print all values as JSON, one table a line; of texels, maps and
+//   pages, every EVERYth
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
@@ -38,6 +38,10 @@ class Row {
   template <class T, size_t N>
   void add(const T (&values)[N]) {
     for (const T& value : values) add(value);
+  }
+  void add(const VisibilityMap& map) {
+    for (uint32_t y = 0; y < VisibilityMap::kRows; ++y)
+      for (const uint32_t word : map.row(y)) add(word);
   }
   void add(const TextureRef& reference) {
     add(reference.texture);
@@ -95,8 +99,10 @@ Row toRow(const TexelRecord& r) {
              r.atlasY, r.emissionSlot);
 }
 Row toRow(const Tile& t) { return Row(t.firstRecord, t.recordCount, t.glossyBoxes, t.diffuseBoxes); }
+Row toRow(const VisibilityMap& map) { return Row(map); }
 Row toRow(const PackedBox& packed) {
   if (isEmission(packed)) return Row(packed.kind, unpackEmission(packed));
+  if (isHiddenPart(packed)) return Row(packed.kind, unpackHiddenPart(packed));
   const Box box = unpackBox(packed);
   return Row(packed.kind, box.u0, box.v0, box.du, box.dv, box.energy);
 }
@@ -106,10 +112,15 @@ void printTable(std::string_view name, const std::vector<T>& table) {
   printTable(name, table, [](const T& entry) { return toRow(entry); });
 }
 
-void printTexels(const std::vector<uint32_t>& texels, uint64_t every) {
-  std::vector<uint32_t> some;
-  for (size_t i = 0; i < texels.size(); i += every) some.push_back(texels[i]);
-  printTable("TEXD", some, [](uint32_t t) { return Row(t & 255, t >> 8 & 255, t >> 16 & 255, t >> 24); });
+template <class T>
+std::vector<T> everyNth(const std::vector<T>& table, uint64_t every) {
+  std::vector<T> some;
+  for (size_t i = 0; i < table.size(); i += every) some.push_back(table[i]);
+  return some;
+}
+
+void printTexels(const std::vector<uint32_t>& texels) {
+  printTable("TEXD", texels, [](uint32_t t) { return Row(t & 255, t >> 8 & 255, t >> 16 & 255, t >> 24); });
 }
 
 void printPages(const AssetReader& reader, uint64_t every) {
@@ -137,10 +148,11 @@ void dump(const char* path, uint64_t every) {
   printTable("MATX", asset.materialExtensions);
   printTable("TXFM", asset.textureTransforms);
   printTable("TEXI", asset.textures);
-  printTexels(asset.texels, every);
+  printTexels(everyNth(asset.texels, every));
   printTable("ATLS", asset.atlas);
   printTable("RECS", asset.records);
   printTable("TILE", asset.tiles);
+  printTable("VISI", everyNth(asset.visibilityMaps, every));
   printTable("MASK", asset.streamMasks, [](uint64_t mask) { return Row(mask); });
   const ViewSphere views(asset.info.viewFrequency);
   printTable("views", views.directions(), [](vec3 direction) { return Row(direction); });
@@ -153,12 +165,14 @@ void dump(const char* path, uint64_t every) {
 
 int main(int argc, char** argv) try {
   const std::string_view command = argc >= 3 ? argv[1] : "";
-  if (command == "sample" && argc == 3) {
-    boxlight::asset::makeSample({.viewFrequency = 3, .records = 150, .recordsPerTile = 64}).write(argv[2]);
+  if (command == "sample" && (argc == 3 || std::string_view(argv[3]) == "split")) {
+    const bool split = argc > 3;
+    boxlight::asset::makeSample({.viewFrequency = 3, .records = 150, .recordsPerTile = 64, .split = split})
+        .write(argv[2]);
   } else if (command == "dump") {
     boxlight::asset::dump(argv[2], argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
   } else {
-    fmt::print(stderr, "usage: format_tool sample OUT.ptb | dump ASSET.ptb [EVERY]\n");
+    fmt::print(stderr, "usage: format_tool sample OUT.ptb [split] | dump ASSET.ptb [EVERY]\n");
     return 1;
   }
   return 0;

@@ -37,12 +37,15 @@ TABLES = {
     "ATLS": struct.Struct("<2I"),
     "RECS": struct.Struct("<3fI3fI3ff3ff3I4x"),
     "TILE": struct.Struct("<4I"),
+    "VISI": struct.Struct("<256I"),
     "MASK": struct.Struct("<Q"),
     "PGIX": struct.Struct("<QIIQ"),
 }
-OPTIONAL = ["MATX", "TXFM"]
+OPTIONAL = ["MATX", "TXFM", "VISI"]
 REQUIRED = [name for name in ["PROV", *TABLES, "TEXD", "PAGE"] if name not in OPTIONAL]
 BOX = struct.Struct("<4H3eH")
+LIGHT, EMISSION, HIDDEN = 0, 1, 2
+SKETCH, SPLIT = 1, 2
 FLOAT_MAX = (2 - 2**-23) * 2.0**127
 
 
@@ -84,7 +87,7 @@ class Ptb:
         self.provenance = json.loads(self.raw["PROV"])
         require(isinstance(self.provenance, dict), "PROV: not an object")
         self.tables = {}
-        self.emitted = {}  # (tile, is Lambert) -> kind of the first slot
+        self.emitted = {}  # (tile, is Lambert) -> do kernels begin with emitted radiance?
         for name, layout in TABLES.items():
             require(len(self.raw[name]) % layout.size == 0, f"{name}: not a whole number of entries")
             self.tables[name] = list(layout.iter_unpack(self.raw[name]))
@@ -106,7 +109,7 @@ class Ptb:
         end = HEADER.size + count * CHUNK.size
         require(count <= 256 and end <= len(data), "head: chunk table")
         require(xxh64(data[:32] + data[HEADER.size : end]) == head_hash, "head: hash")
-        require(scheme == 1, f"head: scheme {scheme}", Unsupported)
+        require(scheme in (SKETCH, SPLIT), f"head: scheme {scheme}", Unsupported)
         self.header = (major, minor, scheme, count, size, head_hash)
         self.chunk_rows = [CHUNK.unpack_from(data, HEADER.size + i * CHUNK.size) for i in range(count)]
         self.chunks = {}
@@ -181,6 +184,9 @@ class Ptb:
             require(row[16] < width and row[17] < height, "RECS: texel")
             for vector in (row[4:7], row[8:11]):
                 require(abs(math.hypot(*vector) - 1) < 1e-3, "RECS: not unit")
+        split = sum(row[3] >> 1 & 1 for row in records)
+        require(split == len(self.tables["VISI"]), "VISI: not one map for each split record")
+        require(split == 0 or self.header[2] == SPLIT, "RECS: split records in a sketch")
 
     def check_tiles(self):
         end = 0
@@ -207,7 +213,7 @@ class Ptb:
             require(offset + stored <= size, f"{place}: range")
 
     def page(self, stream, tile, entry):
-        """Rows of 0, u0, v0, width, height, energy R G B, and of 1, radiance R G B."""
+        """Rows of 0, u0, v0, width, height, energy R G B, of 1, radiance R G B, and of 2, hidden part."""
         offset, stored, raw, page_hash = entry
         if stored == 0:
             return []
@@ -215,26 +221,46 @@ class Ptb:
         frame = self.data[start : start + stored]
         place = f"page {stream} {tile}"
         require(xxh64(frame) == page_hash, f"{place}: hash")
+        rows = [self.slot(place, *slot) for slot in BOX.iter_unpack(decompress(frame, raw, place))]
         boxes = self.tables["TILE"][tile][3 if stream == self.view_count else 2]
-        rows = []
-        for index, (u0, v0, du, dv, *energy, kind) in enumerate(BOX.iter_unpack(decompress(frame, raw, place))):
-            require(all(e >= 0 and math.isfinite(e) for e in energy), f"{place}: energy")
-            require(kind <= 1 and (kind == 0 or index % boxes == 0), f"{place}: kind")
-            if kind == 1:
-                require(-148 <= du - 32768 <= 128, f"{place}: exponent")
-                rows.append((1, *(math.ldexp(e, du - 32768) for e in energy)))
-                require(max(rows[-1][1:]) <= FLOAT_MAX, f"{place}: emitted radiance")
-            else:
-                require(v0 + dv + 1 <= 65536, f"{place}: box below the domain")
-                rows.append((0, u0 / 65536, v0 / 65536, (du + 1) / 65536, (dv + 1) / 65536, *energy))
+        kernels = [rows[first : first + boxes] for first in range(0, len(rows), boxes)]
+        self.check_kinds(stream, tile, [[row[0] for row in kernel] for kernel in kernels])
         self.check_emitted(stream, tile, rows[::boxes])
         return rows
 
+    def slot(self, place, u0, v0, du, dv, red, green, blue, kind):
+        energy = (red, green, blue)
+        require(all(e >= 0 and math.isfinite(e) for e in energy), f"{place}: energy")
+        require(kind in (LIGHT, EMISSION, HIDDEN), f"{place}: kind")
+        if kind == HIDDEN:
+            return (HIDDEN, red)
+        if kind == EMISSION:
+            require(-148 <= du - 32768 <= 128, f"{place}: exponent")
+            radiance = [math.ldexp(e, du - 32768) for e in energy]
+            require(max(radiance) <= FLOAT_MAX, f"{place}: emitted radiance")
+            return (EMISSION, *radiance)
+        require(v0 + dv + 1 <= 65536, f"{place}: box below the domain")
+        return (LIGHT, u0 / 65536, v0 / 65536, (du + 1) / 65536, (dv + 1) / 65536, *energy)
+
+    def check_kinds(self, stream, tile, kernels):
+        """Emitted radiance in slot 0 only; behind it, exactly the glossy kernels of split records say their hidden part."""
+        (mask,), first = self.tables["MASK"][stream * len(self.tables["TILE"]) + tile], self.tables["TILE"][tile][0]
+        records = [first + bit for bit in range(64) if mask >> bit & 1]
+        for record, kinds in zip(records, kernels):
+            place = f"page {stream} {tile}, record {record}"
+            if kinds[0] == EMISSION:
+                kinds = kinds[1:]
+            if stream != self.view_count and self.tables["RECS"][record][3] & 2:
+                require(kinds[:1] == [HIDDEN], f"{place}: no hidden part")
+                kinds = kinds[1:]
+            require(set(kinds) <= {LIGHT}, f"{place}: kinds")
+
     def check_emitted(self, stream, tile, first_slots):
         key = (tile, stream == self.view_count)
-        kinds = {row[0] for row in first_slots} | {self.emitted.setdefault(key, first_slots[0][0])}
-        require(len(kinds) == 1, f"page {stream} {tile}: some kernels of the tile have emitted radiance, some not")
-        require(kinds == {0} or self.tables["MATX"], f"page {stream} {tile}: emitted radiance needs MATX")
+        found = {row[0] == EMISSION for row in first_slots}
+        found.add(self.emitted.setdefault(key, first_slots[0][0] == EMISSION))
+        require(len(found) == 1, f"page {stream} {tile}: some kernels of the tile have emitted radiance, some not")
+        require(found == {False} or self.tables["MATX"], f"page {stream} {tile}: emitted radiance needs MATX")
 
 
 def view_sphere(f):

@@ -150,12 +150,49 @@ void addEmission(Sample& sample) {
   }
 }
 
+/// Random cells, so that no map is like another. Own numbers: the rest of the sample stays as it is.
+VisibilityMap makeMap(Numbers& numbers) {
+  VisibilityMap map;
+  for (uint32_t y = 0; y < VisibilityMap::kRows; ++y)
+    for (uint32_t x = 0; x < VisibilityMap::kColumns; ++x)
+      if (numbers.integer(3) != 0) map.setVisible(x, y);
+  return map;
+}
+
+void splitRecords(Asset& asset) {
+  Numbers numbers;
+  asset.scheme = Scheme::split;
+  for (size_t i = 0; i < asset.records.size(); ++i) {
+    if (i % 3 == 1) continue;
+    asset.records[i].flags |= kSplitLobe;
+    asset.visibilityMaps.push_back(makeMap(numbers));
+  }
+}
+
+/// Behind emitted radiance where a kernel has it, else in slot 0.
+void addHiddenParts(Sample& sample) {
+  const Asset& asset = sample.asset;
+  const size_t tiles = asset.tiles.size();
+  for (size_t i = 0; i < sample.pages.size(); ++i) {
+    const auto stream = uint32_t(i / tiles), tile = uint32_t(i % tiles);
+    if (stream == asset.diffuseStream()) continue;
+    PackedBox* kernel = sample.pages[i].data();
+    for (uint64_t left = asset.mask(stream, tile); left != 0; left &= left - 1) {
+      const uint32_t bit = uint32_t(std::countr_zero(left));
+      if (asset.isSplit(asset.tiles[tile].firstRecord + bit))
+        kernel[isEmission(kernel[0]) ? 1 : 0] = packHiddenPart(float(1 + bit + stream) / 128);
+      kernel += asset.boxesPerKernel(stream, tile);
+    }
+  }
+}
+
 /// Tile 0 has glossy and Lambert kernels of different lengths, the others no glossy ones in every third view.
 void addPages(Sample& sample, Numbers& numbers, const SampleSize& size) {
   Asset& asset = sample.asset;
+  const uint32_t fewest = size.split ? 4 : 2;
   for (uint32_t first = 0; first < size.records; first += size.recordsPerTile)
     asset.tiles.push_back(
-        {first, std::min(size.recordsPerTile, size.records - first), first == 0 ? 3u : 2u, 4});
+        {first, std::min(size.recordsPerTile, size.records - first), first == 0 ? 3 : fewest, 4});
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
       const uint64_t all = ~uint64_t(0) >> (64 - asset.tiles[tile].recordCount);
@@ -191,8 +228,10 @@ Sample makeSample(SampleSize size) {
   addMaterials(asset, numbers);
   if (size.extensions) addExtensions(asset);
   addRecords(asset, numbers, size);
+  if (size.split) splitRecords(asset);
   addPages(sample, numbers, size);
   if (size.extensions) addEmission(sample);
+  if (size.split) addHiddenParts(sample);
   return sample;
 }
 

@@ -21,6 +21,7 @@ struct SampleSize {
   uint32_t records = 5;
   uint32_t recordsPerTile = 3;
   bool extensions = true;  ///< what format 1.1 added; without, the content is that of version-1.0.ptb
+  bool split = false;      ///< what format 1.2 added: of three records, the first and the third are split
 };
 
 Sample makeSample(SampleSize size = {});

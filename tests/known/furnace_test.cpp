@@ -66,5 +66,31 @@ TEST_P(Furnace, WhiteMetalIsItsDirectionalAlbedo) {
     }
 }
 
+/// All of the lobe is made at the pixel: nothing hides any of it.
+TEST(SplitFurnace, WhiteMetalInTheOpenIsItsDirectionalAlbedo) {
+  for (const char* roughness : {"0.1", "0.7"})
+    for (float nDotV : {0.15f, 0.7f}) {
+      const std::string eye = fmt::format("--size 48x48 --eye {},{},0 --target 0,0,0 --fov 0.4",
+                                          100 * std::sqrt(1 - nDotV * nDotV), 100 * nDotV);
+      const Image image =
+          picture(Way::baked, {fmt::format("plane --set metallic=1 --set roughness={}", roughness), "white",
+                               eye, "--atlas 4 --paths 64 --scheme split"});
+      EXPECT_NEAR(objectMean(image).y / whiteMetalAlbedo(std::stof(roughness), nDotV), 1, 0.01)
+          << "roughness " << roughness << ", n.v " << nDotV;
+    }
+}
+
+/// The ground hides half of the ball's lobes; the light comes from one side.
+TEST(SplitFurnace, MetalOnTheGroundIsAsBrightAsTheTruth) {
+  for (const char* roughness : {"0.1", "0.5"}) {
+    const Shot shot{fmt::format("sphere_on_ground --set metallic=1 --set roughness={}", roughness), "half",
+                    "--size 96x96 --eye 2.5,2,3 --target 0,0.5,0 --fov 18",
+                    "--atlas 48 --paths 128 --scheme split", "--spp 512"};
+    const double baked = objectMean(picture(Way::baked, shot)).y,
+                 truth = objectMean(picture(Way::truth, shot)).y;
+    EXPECT_NEAR(baked / truth, 1, tolerance(Way::baked)) << "roughness " << roughness;
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(, Furnace, ::testing::Values(Way::truth, Way::baked),
                          [](const auto& way) { return way.param == Way::truth ? "truth" : "baked"; });

@@ -96,8 +96,10 @@ class OracleTest : public GpuTest {
                                                     settings_.interpolation, settings_.boxLimit);
       worst =
           std::max(worst, error(shaded[2 * r], exact.diffuse, rounding(relighter, reader.asset(), r, unit)));
-      if (glossy && reader.asset().tiles.front().glossyBoxes > 0)
+      if (glossy && reader.asset().tiles.front().glossyBoxes > 0) {
         worst = std::max(worst, error(shaded[2 * r + 1], exact.glossy));
+        EXPECT_NEAR(double(shaded[2 * r + 1].w), exact.hidden, 1e-5) << r;
+      }
       if (isMapped_) {
         const dmat3 gradient = relighter.diffuseGradient(r, lights, offset, settings_.boxLimit);
         for (uint32_t c = 0; c < kGradients; ++c)
@@ -273,6 +275,34 @@ TEST_F(OracleTest, EmittedRadianceOfOneKindOfStreamAlone) {
   for (const auto& [r, glossy] : renderer.readVisible()) {
     EXPECT_EQ(shaded[2 * r], vec4(0));
     EXPECT_NEAR(shaded[2 * r + 1].x, 3.0f, 1e-5f);  // whatever the view
+  }
+}
+
+TEST_F(OracleTest, SplitLobesKeepEveryViewsHiddenPart) {
+  Square square;
+  square.atlasEdge = 20;
+  square.visibility = [](uint32_t) { return VisibilityMap(); };
+  square.extensions.resize(1);
+  settings_.camera.eye = {0.3f, 1.5f, 0.7f};
+  settings_.camera.tanHalfFov = 1.5f;
+  for (const uint32_t emission : {0u, 1u}) {
+    square.glossyBoxes = emission + 1 + 3;
+    asset::Asset asset = square.makeAsset();
+    for (uint32_t view = 0; view < asset.info.viewCount; view += 3)  // hide nothing of some records
+      for (uint64_t tile = 0; tile < asset.tiles.size(); ++tile)
+        asset.streamMasks[view * asset.tiles.size() + tile] &= 0xF0F0F0F0F0F0F0F0u;
+    const auto kernel = [&](uint32_t stream, uint32_t record, uint32_t slot) {
+      if (stream == asset.diffuseStream() || slot > emission) return packBox(randomBox(stream, record, slot));
+      return slot == emission ? packHiddenPart(float(1 + (stream + record) % 9) / 16.0f)
+                              : emittingKernel(stream, record, 0);
+    };
+    const auto reader = writeSynthetic(file("split.ptb"), asset, kernel);
+    EXPECT_EQ(compare(reader, environmentWithSun(100.0f)), 20u * 20u);
+    gpu::FrameRenderer renderer(*device_, reader, environmentWithSun(1.0f), settings_);
+    EXPECT_EQ(renderer.counts().boxes, 20u * 20u * (1 + 3 * 3));
+    settings_.boxLimit = 2;
+    EXPECT_EQ(compare(reader, environmentWithSun(100.0f)), 20u * 20u);
+    settings_.boxLimit = ~0u;
   }
 }
 

@@ -92,6 +92,12 @@ asset::Asset Square::makeAsset() const {
       asset.records.push_back(record(i % atlasEdge, i / atlasEdge, atlasEdge, back));
   for (uint32_t i = 0; i < count; ++i) asset.atlas.push_back({i, twoSided ? count + i : asset::kNone});
   addTiles(asset, glossyBoxes, diffuseBoxes);
+  if (!visibility) return asset;
+  asset.scheme = asset::Scheme::split;
+  for (uint32_t r = 0; r < asset.records.size(); ++r) {
+    asset.records[r].flags |= asset::kSplitLobe;
+    asset.visibilityMaps.push_back(visibility(r));
+  }
   return asset;
 }
 

@@ -39,6 +39,8 @@ struct Square {
   std::vector<asset::TextureTransform> transforms;
   std::vector<asset::Texture> textures;
   std::vector<uint32_t> texels;
+  /// If set, every record's lobe is split, with this map: slots of kernels are a hidden part, then boxes.
+  std::function<VisibilityMap(uint32_t record)> visibility;
 
   Square();
   asset::Asset makeAsset() const;

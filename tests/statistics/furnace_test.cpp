@@ -81,20 +81,21 @@ TEST_P(Furnace, BakedKernelsTimesThePixelsFactorAreTheAlbedo) {
   const Intersector world(scene);
   const TexelMap map = makeTexels(scene, 1, 1);
   const ViewSphere sphere(3);
-  TexelBaker baker(world, map, sphere, {.paths = 128, .boxes = 4});
+  const KernelOptions options{.paths = 128, .boxes = 4};
+  TexelBaker baker(world, map, sphere, options);
   for (const RecordPlan& plan : planRecords(world, map)) {
-    const RecordKernels kernels = baker.bake(plan, plan.glossyLobes);
+    const RecordKernels kernels = baker.bake(plan, options.glossySlots(plan));
     if (plan.lambert) {
       Rgb energy(0);
-      for (const PackedBox& box : kernels.lambert.boxes) energy += unpackBox(box).energy;
+      for (const PackedBox& box : kernels.lambert.slots) energy += unpackBox(box).energy;
       expectNear(energy, Rgb(1), 5e-3f, "Lambert");
     }
     const PathOrigin origin = plan.origin(world, map);
     dvec3 found(0), expected(0);
     for (uint32_t view = 0; view < kernels.glossy.size(); ++view) {
-      if (kernels.glossy[view].boxes.empty()) continue;
+      if (kernels.glossy[view].slots.empty()) continue;
       const PlaneBsdf plane(scene, raiseAboveHorizon(sphere.directions()[view], origin.normal));
-      for (const PackedBox& box : kernels.glossy[view].boxes)
+      for (const PackedBox& box : kernels.glossy[view].slots)
         found += dvec3(unpackBox(box).energy * plane.bsdf.viewDependentAlbedo());
       expected += dvec3(test::sampledAlbedo(plane.bsdf, kViewDependent, 16, 128));
     }

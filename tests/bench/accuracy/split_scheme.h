@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "common/light/visibility_map.h"
+#include "common/light/lobe_clip.h"
 #include "tests/bench/accuracy/lab_scene.h"
 
 namespace boxlight::accuracy {
@@ -14,7 +14,6 @@ namespace boxlight::accuracy {
 /// lobe is that of several points of the texel, in turn, as pixels shade their own.
 struct SplitOptions {
   uint32_t hiddenBoxes = 4;
-  uint32_t pieces = 24;  ///< rectangles that a clipped lobe has at most
   uint32_t pixels = 16;  ///< points of the texel that shade their own lobe
   uint32_t paths = 1024;
 };
@@ -27,6 +26,7 @@ class SplitTexel {
  private:
   std::vector<Box> lobe(vec3 direction, uint32_t pixel) const;
   std::vector<Box> hidden(uint32_t view) const;
+  ClippedLobe clipped(vec3 direction, uint32_t pixel) const;
   double hiddenPart(vec3 direction) const;  ///< H
 
   const LabScene& scene_;

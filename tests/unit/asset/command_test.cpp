@@ -63,7 +63,7 @@ TEST_F(Command, inspectAccountsForEveryByte) {
   EXPECT_EQ(sum, std::filesystem::file_size(file.path));
   EXPECT_EQ(pages,
             bytes["glossyPages"]["stored"].get<uint64_t>() + bytes["diffusePages"]["stored"].get<uint64_t>());
-  EXPECT_EQ(summary["version"], "1.1");
+  EXPECT_EQ(summary["version"], "1.2");
   EXPECT_EQ(summary["counts"]["records"], 70);
   EXPECT_EQ(bytes["diffusePages"]["kernels"], 70);
   EXPECT_EQ(bytes["diffusePages"]["boxes"], 280);
@@ -92,10 +92,32 @@ TEST_F(Command, inspectNamesTermsAndEmission) {
   EXPECT_EQ(plain["materialTerms"].size(), 2u) << "MASK and specular: " << plain["materialTerms"];
 }
 
+TEST_F(Command, inspectNamesTheSchemeAndCountsVisibilityMaps) {
+  const auto sketch = nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
+  EXPECT_EQ(sketch["scheme"], "sketch");
+  EXPECT_EQ(sketch["visibilityMaps"], nlohmann::json({{"count", 0}, {"stored", 0}, {"raw", 0}}));
+  EXPECT_EQ(run("inspect " + file.path.string()).output.find("visibility"), std::string::npos);
+  asset::makeSample({.split = true}).write(file.path);
+  const auto split = nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
+  EXPECT_EQ(split["scheme"], "split");
+  const auto& maps = split["visibilityMaps"];
+  EXPECT_EQ(maps["count"], 3);
+  EXPECT_EQ(maps["raw"], 3 * 1024);
+  uint64_t stored = 0;
+  for (const auto& entry : split["bytes"]["chunks"])
+    if (entry["type"] == "VISI") stored = entry["stored"];
+  EXPECT_GT(stored, 0u);
+  EXPECT_EQ(maps["stored"], stored);
+  const std::string text = run("inspect " + file.path.string()).output;
+  EXPECT_NE(text.find("1.2, scheme split"), std::string::npos) << text;
+  EXPECT_NE(text.find(fmt::format("3 maps of split records, {} bytes of 3072", stored)), std::string::npos)
+      << text;
+}
+
 TEST_F(Command, inspectPrintsText) {
   const Outcome result = run("inspect " + file.path.string());
   for (const char* part :
-       {"1.1, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
+       {"1.2, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
     EXPECT_NE(result.output.find(part), std::string::npos) << part << "\n" << result.output;
 }
 

@@ -12,11 +12,12 @@
 
 namespace boxlight::asset {
 
-/// An operation on makeSample() after which this finding must be there.
+/// An operation on makeSample(size) after which this finding must be there.
 struct Case {
   const char* name;
   FindingCode code;
   std::function<void(Surgeon&)> operate;
+  SampleSize size = {};
 };
 
 inline void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
@@ -41,7 +42,7 @@ inline std::function<void(Surgeon&)> inBox(size_t page, size_t box, std::functio
 class Hostile : public ::testing::TestWithParam<Case> {
  protected:
   Hostile() {
-    makeSample().write(file.path);
+    makeSample(GetParam().size).write(file.path);
     Surgeon surgeon(readFile(file.path));
     GetParam().operate(surgeon);
     surgeon.write(file.path);

@@ -36,6 +36,7 @@ void expectSame(const Sample& sample, const AssetReader& reader) {
   EXPECT_TRUE(sameBytes(written.atlas, read.atlas));
   EXPECT_TRUE(sameBytes(written.records, read.records));
   EXPECT_TRUE(sameBytes(written.tiles, read.tiles));
+  EXPECT_TRUE(sameBytes(written.visibilityMaps, read.visibilityMaps));
   EXPECT_TRUE(sameBytes(written.streamMasks, read.streamMasks));
   for (uint32_t stream = 0; stream < read.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < read.tiles.size(); ++tile)
@@ -58,23 +59,41 @@ INSTANTIATE_TEST_SUITE_P(
     Sizes, RoundTrip,
     ::testing::Values(SampleSize{}, SampleSize{.viewFrequency = 3, .records = 70, .recordsPerTile = 64},
                       SampleSize{.records = 64, .recordsPerTile = 64}, SampleSize{.records = 0},
-                      SampleSize{.extensions = false}));
+                      SampleSize{.extensions = false}, SampleSize{.split = true},
+                      SampleSize{.extensions = false, .split = true},
+                      SampleSize{.viewFrequency = 2, .records = 70, .recordsPerTile = 64, .split = true}));
 
-TEST(AssetWriter, leavesOutTheTablesOf11ThatAreEmpty) {
-  const auto typesOf = [](bool extensions) {
+TEST(RoundTrip, theSampleHasSplitRecordsWithEmissionAndWithout) {
+  const Sample sample = makeSample({.split = true});
+  size_t split = 0, withEmission = 0;
+  for (const std::vector<PackedBox>& page : sample.pages)
+    for (size_t i = 0; i < page.size(); ++i) {
+      split += isHiddenPart(page[i]);
+      withEmission += i > 0 && isHiddenPart(page[i]) && isEmission(page[i - 1]);
+    }
+  EXPECT_EQ(sample.asset.visibilityMaps.size(), 3u);
+  EXPECT_GT(withEmission, 0u);
+  EXPECT_GT(split, withEmission);
+}
+
+TEST(AssetWriter, leavesOutTheOptionalTablesThatAreEmpty) {
+  const auto typesOf = [](const SampleSize& size) {
     const TemporaryFile file;
-    makeSample({.extensions = extensions}).write(file.path);
+    makeSample(size).write(file.path);
     const AssetReader reader(file.path);
     std::vector<std::string> types;
     for (const ChunkEntry& entry : reader.chunks()) types.push_back(Reporter::chunkName(entry.type));
     return types;
   };
   using Types = std::vector<std::string>;
-  EXPECT_EQ(typesOf(false), (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "TEXI", "TEXD", "ATLS", "RECS",
-                                   "TILE", "MASK", "PAGE", "PGIX"}))
+  EXPECT_EQ(typesOf({.extensions = false}), (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "TEXI", "TEXD",
+                                                   "ATLS", "RECS", "TILE", "MASK", "PAGE", "PGIX"}))
       << "those of version 1.0, in its order";
-  EXPECT_EQ(typesOf(true), (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "MATX", "TXFM", "TEXI", "TEXD",
-                                  "ATLS", "RECS", "TILE", "MASK", "PAGE", "PGIX"}));
+  EXPECT_EQ(typesOf({}), (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "MATX", "TXFM", "TEXI", "TEXD",
+                                "ATLS", "RECS", "TILE", "MASK", "PAGE", "PGIX"}));
+  EXPECT_EQ(typesOf({.extensions = false, .split = true}),
+            (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "TEXI", "TEXD", "ATLS", "RECS", "TILE", "VISI",
+                   "MASK", "PAGE", "PGIX"}));
 }
 
 TEST(AssetWriter, givesTheSameBytesForTheSameInput) {
@@ -140,16 +159,20 @@ TEST(AssetWriter, refusesWhatTheReaderWouldRefuse) {
   };
   Sample badIndex = makeSample(), badBox = makeSample(), shortPage = makeSample(),
          badProvenance = makeSample(), badExtension = makeSample(), viewsDisagree = makeSample(),
-         flagsAlone = makeSample({.extensions = false});
+         flagsAlone = makeSample({.extensions = false}), aMapTooFew = makeSample({.split = true}),
+         schemeOfSketch = aMapTooFew, noHiddenPart = aMapTooFew;
   badExtension.asset.materialExtensions.pop_back();
   viewsDisagree.pages[3][0] = PackedBox();
   flagsAlone.asset.materials[1].flags |= kUnlit;
+  aMapTooFew.asset.visibilityMaps.pop_back();
+  schemeOfSketch.asset.scheme = Scheme::sketch;
+  noHiddenPart.pages[0][0].kind = kLightBox;
   badIndex.asset.triangles[1].vertex[2] = 7;
   badBox.pages[0][0].energy[1] = 0x7C00;
   shortPage.pages[0].pop_back();
   badProvenance.asset.provenance = nullptr;
-  for (const Sample* sample :
-       {&badIndex, &badBox, &shortPage, &badProvenance, &badExtension, &viewsDisagree, &flagsAlone})
+  for (const Sample* sample : {&badIndex, &badBox, &shortPage, &badProvenance, &badExtension, &viewsDisagree,
+                               &flagsAlone, &aMapTooFew, &schemeOfSketch, &noHiddenPart})
     expectRefusal(*sample);
 }
 

@@ -41,6 +41,23 @@ double exact(const GgxLobe& lobe, const std::function<double(vec3)>& radiance) {
   return sum / weights;
 }
 
+/// Mean of F G2 / G1 over visible normals.
+double exactAlbedo(const GgxLobe& lobe) {
+  constexpr int kSide = 256;
+  const vec3 view(dot(lobe.view, lobe.tangent), dot(lobe.view, lobe.bitangent), dot(lobe.view, lobe.normal));
+  double sum = 0;
+  for (int i = 0; i < kSide * kSide; ++i) {
+    const vec2 random((float(i % kSide) + 0.5f) / kSide, (float(i / kSide) + 0.5f) / kSide);
+    const vec3 half = ggx::sampleVisibleNormal(view, lobe.alpha, random);
+    const vec3 light = 2 * dot(view, half) * half - view;
+    if (!(light.z > 0)) continue;
+    const float fresnel = lobe.f0.x + (lobe.f90 - lobe.f0.x) * ggx::schlickWeight(dot(view, half));
+    sum += double(fresnel * ggx::visibility(light, view, lobe.alpha) * 4 * light.z * view.z /
+                  ggx::masking(view, lobe.alpha));
+  }
+  return sum / kSide / kSide;
+}
+
 SummedArea tableOf(const std::function<double(vec3)>& radiance) {
   Image map = makeImage(512, 256, 3);
   for (uint32_t y = 0; y < map.height; ++y)
@@ -105,9 +122,27 @@ TEST(LobeBoxes, AnEdgeAcrossTheLobeIsBlurredByIt) {
 
 TEST(LobeBoxes, AnisotropyStretchesThem) {
   const GgxLobe lobe = lobeAt({1, 0, 0}, 1, 0, {0.3f, 0.02f});
-  const auto across = lobeBoxes(lobe)[0];
   const bool tangentIsUp = std::abs(lobe.tangent.y) > 0.5f;
-  EXPECT_GT(tangentIsUp ? across.dv / (2 * across.du) : 2 * across.du / across.dv, 5);
+  vec2 low(1), high(0);  // of the middle boxes
+  for (size_t j = 4; j < kLobeBoxes - 4; ++j) {
+    const Box box = lobeBoxes(lobe)[j];
+    const vec2 middle(box.u0 + 0.5f * box.du, box.v0 + 0.5f * box.dv);
+    low = glm::min(low, middle), high = glm::max(high, middle);
+    EXPECT_LT(tangentIsUp ? 2 * box.du / box.dv : box.dv / (2 * box.du), 3) << "a piece of the streak";
+  }
+  const vec2 extent = (high - low) * vec2(2, 1);
+  EXPECT_GT(tangentIsUp ? extent.y / extent.x : extent.x / extent.y, 10);
+}
+
+TEST(LobeBoxes, AlbedosAreAsExactAsTheDirections) {
+  for (const float cosine : {0.1f, 0.4f, 0.9f})
+    for (const float turn : {0.0f, 0.8f, 1.6f})
+      for (const vec2 alpha : {vec2(0.3f), vec2(0.05f), vec2(0.6f, 0.03f), vec2(0.3f, 0.1f)}) {
+        GgxLobe lobe = lobeAt({0, 1, 0}, cosine, turn, alpha);
+        lobe.f0 = Rgb(0.5f);
+        EXPECT_NEAR(double(lobeAlbedo(lobe).x), exactAlbedo(lobe), 0.055)
+            << cosine << ' ' << turn << ' ' << alpha.x;
+      }
 }
 
 TEST(LobeBoxes, NothingJumpsWhenTheViewTurns) {
@@ -124,4 +159,51 @@ TEST(LobeBoxes, NothingJumpsWhenTheViewTurns) {
       before = value;
     }
   }
+}
+
+TEST(LobeBoxes, TheIsotropicTangentMovesReflectionsAlongU) {
+  for (const vec3 normal : kNormals)
+    for (const float cosine : {0.3f, 0.9f}) {
+      const GgxLobe lobe = lobeAt(normal, cosine, 0.7f, vec2(0.1f));
+      const vec3 along = lobeTangent(lobe.normal, lobe.view);
+      EXPECT_NEAR(dot(along, along), 1, 1e-5);
+      EXPECT_NEAR(dot(along, lobe.normal), 0, 1e-5);
+      const auto reflected = [&](float step) {
+        const vec3 half = glm::normalize(lobe.normal + step * along);
+        return directionToUv(2 * dot(lobe.view, half) * half - lobe.view);
+      };
+      const vec2 moved = reflected(5e-3f) - reflected(-5e-3f);
+      EXPECT_GT(std::abs(moved.x), 1e-3f);
+      EXPECT_LT(std::abs(moved.y), 0.01f * std::abs(moved.x));
+    }
+  EXPECT_NEAR(glm::length(lobeTangent({0, 1, 0}, {0, 1, 0})), 1, 1e-5) << "at the pole any will do";
+}
+
+TEST(LobeBoxes, CellsFillTheSquareOfRandomNumbers) {
+  for (const LobeCells* cells : {&roundCells(), &stripCells()}) {
+    float area = 0;
+    vec2 mean(0);
+    for (const LobeCell& cell : *cells) {
+      area += cell.area;
+      for (const vec2 random : cell.random) mean += random * cell.area / float(kLobeSamples);
+    }
+    EXPECT_NEAR(area, 1, 1e-6);
+    EXPECT_NEAR(mean.x, 0.5, 1e-6);
+    EXPECT_NEAR(mean.y, 0.5, 0.07) << "strips are cut off";
+  }
+}
+
+TEST(LobeBoxes, AStreakStaysNarrowWhateverItsDirection) {
+  // A bright spot that the streak of brushed metal passes at a distance of a few times its width.
+  for (const float turn : {0.0f, 0.8f, 1.6f, 2.4f})
+    for (const float beside : {0.0f, 3.0f, 6.0f}) {
+      GgxLobe lobe = lobeAt({0.2f, 0.1f, 1}, 0.7f, 0.5f, {0.6f, 0.03f});
+      const vec3 along = std::cos(turn) * lobe.tangent + std::sin(turn) * lobe.bitangent;
+      lobe.bitangent = glm::cross(lobe.normal, along);
+      lobe.tangent = along;
+      const vec3 half = glm::normalize(lobe.normal + 0.15f * along + beside * 0.03f * lobe.bitangent);
+      const vec3 spot = 2 * dot(lobe.view, half) * half - lobe.view;
+      const auto light = [&](vec3 d) { return dot(d, spot) > 0.998f ? 1.0 : 0.0; };
+      EXPECT_NEAR(relight(lobe, tableOf(light)), exact(lobe, light), 0.02) << turn << ' ' << beside;
+    }
 }

@@ -226,6 +226,27 @@ TEST(Relight, MissingViewsAreLeftOut) {
   EXPECT_NEAR(relighter.relight(0, kEye, constantLight(1.0f)).glossy.x, expected, 1e-6);
 }
 
+TEST(Relight, SplitLobesAreBlendedViewByView) {
+  TestAsset test(1);
+  test.asset.scheme = asset::Scheme::split;
+  test.asset.records[0].flags = asset::kSplitLobe;
+  const ViewBlend blend = ViewSphere(3).locate(glm::normalize(kEye));
+  const auto put = [&](int k, float hidden, Rgb emission, float energy) {
+    test.kernels[{blend.view[k], 0}] = {packEmission(emission), packHiddenPart(hidden),
+                                        packBox(makeBox(0.1f * float(k), 0.2f, 0.3f, 0.4f, Rgb(energy)))};
+  };
+  put(0, 0.5f, Rgb(3, 0, 0), 0.25f);
+  put(2, 0.125f, Rgb(0, 5, 0), 0.0625f);  // view 1 hides nothing
+  test.finish(3, 0);
+  Relighter relighter(test.asset, test.provider());
+  const double w0 = double(blend.weight[0]), w2 = double(blend.weight[2]);
+  const TexelRadiance radiance = relighter.relight(0, kEye, constantLight(2.0f));
+  EXPECT_NEAR(radiance.hidden, 0.5 * w0 + 0.125 * w2, 1e-6);
+  EXPECT_NEAR(radiance.glossy.x, (3 + 0.5) * w0 + 0.125 * w2, 1e-6);
+  EXPECT_NEAR(radiance.glossy.y, 0.5 * w0 + (5 + 0.125) * w2, 1e-6);
+  EXPECT_NEAR(relighter.relight(0, kEye, constantLight(2.0f), 0, Interpolation::energy, 0).glossy.z, 0, 1e-9);
+}
+
 TEST(Relight, EyesBelowTheHorizonAreRaised) {
   TestAsset test(1);
   const vec3 eye(1.0f, -0.5f, 0.0f), raised = raiseAboveHorizon(glm::normalize(eye), {0, 1, 0});

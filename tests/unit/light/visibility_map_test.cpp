@@ -34,35 +34,36 @@ TEST(VisibilityMap, WhatIsAllVisibleStaysAsItIs) {
   const VisibilityMap map = mapOf([](uint32_t, uint32_t) { return true; });
   for (const Rectangle whole : {Rectangle{0.3, 0.2, 0.11, 0.07}, Rectangle{0.95, 0.01, 0.2, 0.5},
                                 Rectangle{0, 0, 1, 1}, Rectangle{0.5001, 0.5001, 1e-5, 1e-5}}) {
-    const VisibleRectangle part = shrinkToVisible(whole, map);
-    expectEqual(part.rectangle, whole);
-    EXPECT_NEAR(part.visible / whole.solidAngle(), 1.0, 1e-9);
+    const VisiblePart seen = scanVisible(whole, map);
+    expectEqual(seen.around, whole);
+    EXPECT_NEAR(seen.part, 1.0, 1e-9);
   }
 }
 
 TEST(VisibilityMap, NothingVisibleIsNothing) {
-  EXPECT_EQ(shrinkToVisible({0.1, 0.1, 0.5, 0.5}, VisibilityMap{}).visible, 0.0);
+  EXPECT_EQ(scanVisible({0.1, 0.1, 0.5, 0.5}, VisibilityMap{}).part, 0.0);
   const VisibilityMap one = mapOf([](uint32_t x, uint32_t y) { return x == 64 && y == 32; });
-  EXPECT_EQ(shrinkToVisible({0.1, 0.1, 0.4, 0.4}, one).visible, 0.0);  // ends where the cell begins
+  EXPECT_EQ(scanVisible({0.1, 0.1, 0.4, 0.4}, one).part, 0.0);  // ends where the cell begins
 }
 
 TEST(VisibilityMap, ShrinksToCellsInsideTheRectangle) {
   const VisibilityMap map = mapOf([](uint32_t x, uint32_t y) { return x >= 64 && y < 16; });
-  const VisibleRectangle part = shrinkToVisible({0.4, 0.1, 0.3, 0.5}, map);
-  expectEqual(part.rectangle, {0.5, 0.1, 0.2, 0.15});
-  EXPECT_NEAR(part.visible, rectangleSolidAngle(0.2, 0.1, 0.25), 1e-12);
+  const VisiblePart seen = scanVisible({0.4, 0.2, 0.3, 0.1}, map);
+  expectEqual(seen.around, {0.5, 0.2, 0.2, 0.05});
+  EXPECT_NEAR(seen.part, rectangleSolidAngle(0.2, 0.2, 0.25) / rectangleSolidAngle(0.3, 0.2, 0.3), 2e-4);
 }
 
 TEST(VisibilityMap, WrapsOverTheSeam) {
   const VisibilityMap map = mapOf([](uint32_t x, uint32_t) { return x >= 120 || x < 4; });
-  const VisibleRectangle part = shrinkToVisible({0.9, 0.25, 0.3, 0.25}, map);
-  expectEqual(part.rectangle, {120.0 / 128, 0.25, 12.0 / 128, 0.25});
-  EXPECT_NEAR(part.visible, rectangleSolidAngle(12.0 / 128, 0.25, 0.5), 1e-12);
+  const VisiblePart seen = scanVisible({0.9, 0.25, 0.3, 0.25}, map);
+  expectEqual(seen.around, {120.0 / 128, 0.25, 12.0 / 128, 0.25});
+  EXPECT_NEAR(seen.part, 12.0 / 128 / 0.3, 1e-12);
 }
 
 TEST(VisibilityMap, HolesCountByTheirSolidAngle) {
   const VisibilityMap map = mapOf([](uint32_t x, uint32_t y) { return (x + y) % 2 == 0; });
-  const VisibleRectangle part = shrinkToVisible({0, 0, 1, 1}, map);
-  expectEqual(part.rectangle, {0, 0, 1, 1});
-  EXPECT_NEAR(part.visible, 2 * kPiDouble, 1e-9);
+  const VisiblePart seen = scanVisible({0, 0, 1, 1}, map);
+  EXPECT_NEAR(seen.part, 0.5, 1e-9);
+  EXPECT_NEAR(seen.around.du, 1.0, 1.0 / 128);
+  EXPECT_NEAR(seen.around.dv, 1.0, 1e-12);
 }

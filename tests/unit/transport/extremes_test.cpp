@@ -125,7 +125,7 @@ TEST(Extremes, ABakeOfAKeyholeKeepsItsEnergy) {
   plan.record.normal[1] = 1;
   plan.lambert = true;
   Rgb energy(0);
-  for (const PackedBox& box : baker.bake(plan, 0).lambert.boxes) energy += unpackBox(box).energy;
+  for (const PackedBox& box : baker.bake(plan, 0).lambert.slots) energy += unpackBox(box).energy;
   const double f = holeOf(314, 1), truth = f / (1 - 0.9 * (1 - f));
   EXPECT_TRUE(isFinite(energy));
   EXPECT_NEAR(double(energy.x) / truth, 1, 0.9);  // 32768 paths: a standard error of .28 at most

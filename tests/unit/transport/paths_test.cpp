@@ -119,13 +119,14 @@ TEST(TexelBake, StoresWhatTheMaterialAsksFor) {
     const Intersector world(texel.scene);
     const auto plans = planRecords(world, texel.map);
     ASSERT_EQ(plans.size(), 1u);
-    TexelBaker baker(world, texel.map, sphere, {.paths = 64, .boxes = 4});
-    const RecordKernels kernels = baker.bake(plans[0], plans[0].glossyLobes);
-    EXPECT_EQ(kernels.lambert.boxes.size(), glossy ? 0u : 16u);
+    const KernelOptions options{.paths = 64, .boxes = 4};
+    TexelBaker baker(world, texel.map, sphere, options);
+    const RecordKernels kernels = baker.bake(plans[0], options.glossySlots(plans[0]));
+    EXPECT_EQ(kernels.lambert.slots.size(), glossy ? 0u : 16u);
     ASSERT_EQ(kernels.glossy.size(), glossy ? 92u : 0u);
     size_t stored = 0;
     for (const RecordKernel& kernel : kernels.glossy) {
-      const std::vector<PackedBox>& view = kernel.boxes;
+      const std::vector<PackedBox>& view = kernel.slots;
       EXPECT_TRUE(view.empty() || view.size() == 4u);
       stored += !view.empty();
       float energy = 0;

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_FILTER_GLSL
+#define BOXLIGHT_FILTER_GLSL
+
+#include "atlas.glsl"
+#include "lobe_clip.glsl"
+#include "pixel_lobe.glsl"
+
+layout(constant_id = kConstantNormalMapped) const bool kNormalMapped = true;
+
+layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord records[]; };
+layout(std430, binding = kBindMarks) readonly buffer Marks { uint marks[]; };
+layout(std430, binding = kBindShaded) readonly buffer Shaded { vec4 shaded[]; };
+
+/// What arrives at an atlas position, demodulated: all of it from records whose lobes are whole; from the others what their hidden
+/// directions send, and the maps that clip the pixel's own lobe.
+struct FilteredRadiance {
+  vec3 diffuse, glossy;
+  float split;  // weight of the records with split lobes
+  vec4 hidden;  // their mean: radiance, and the part that it stands for
+  FilteredMaps maps;
+};
+
+/// A normal that a normal map bends, on the side that is looked at; elsewhere the records' own are good enough.
+struct Bend {
+  bool bends;
+  vec3 normal;
+};
+
+/// Of a record's diffuse radiance, for another normal than its own: to first order, so that the mean over a texel stays what the
+/// bake measured there.
+vec3 diffuseChange(uint r, vec3 normal) {
+  vec3 change = normal - dot(normal, records[r].normal) * records[r].normal;
+  return vec3(dot(shaded[gradientIndex(r, 0)].xyz, change), dot(shaded[gradientIndex(r, 1)].xyz, change),
+              dot(shaded[gradientIndex(r, 2)].xyz, change));
+}
+
+void addSplit(uint r, float weight, inout FilteredRadiance sum) {
+  sum.split += weight;
+  sum.hidden += weight * shaded[kShadedRadiances * r + 1];
+  sum.maps.map[sum.maps.count] = visibilityMaps[r];
+  sum.maps.weight[sum.maps.count] = weight;
+  if (weight > 0.0) ++sum.maps.count;
+}
+
+/// Weights, which are sums, to means.
+void normalizeFilter(float total, inout FilteredRadiance sum) {
+  float scale = total > 0.0 ? 1.0 / total : 0.0;
+  sum.diffuse = max(sum.diffuse * scale, 0.0);
+  sum.glossy *= scale;
+  if (!kSplit || sum.split <= 0.0) return;
+  sum.hidden /= sum.split;
+  for (uint k = 0; k < sum.maps.count; ++k) sum.maps.weight[k] /= sum.split;
+  sum.split *= scale;
+}
+
+/// The mean over those of the four records that were shaded. (All that exist were marked; should two shaders round a position to
+/// different texels, the filter shrinks instead of reading what was never written.)
+FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy, Bend bend) {
+  AtlasCorners corners = atlasCorners(uv, front);
+  FilteredRadiance sum;
+  sum.diffuse = sum.glossy = vec3(0.0);
+  sum.split = 0.0;
+  sum.hidden = vec4(0.0);
+  sum.maps.count = 0;
+  float total = 0.0;
+  for (int k = 0; k < 4; ++k) {
+    uint r = corners.record[k];
+    if (r == kAbsent || marks[r] == 0) continue;
+    float weight = corners.weight[k];
+    total += weight;
+    sum.diffuse += weight * shaded[kShadedRadiances * r].rgb;
+    if (kNormalMapped && bend.bends) sum.diffuse += weight * diffuseChange(r, bend.normal);
+    if (!withGlossy) continue;
+    if (kSplit && isSplit(r))
+      addSplit(r, weight, sum);
+    else
+      sum.glossy += weight * shaded[kShadedRadiances * r + 1].rgb;
+  }
+  normalizeFilter(total, sum);
+  return sum;
+}
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_KERNEL_GLSL
+#define BOXLIGHT_KERNEL_GLSL
+
+#include "box.glsl"
+
+layout(constant_id = 1) const uint kBoxPools = 1;
+layout(constant_id = 3) const bool kEmitters = true;  // has any kernel emitted radiance?
+
+layout(std430, binding = kBindPageTable) readonly buffer PageTable { PageSlot pageTable[]; };
+layout(std430, binding = kBindBoxPools) readonly buffer Boxes0 { uvec4 boxes0[]; };
+layout(std430, binding = kBindBoxPools + 1) readonly buffer Boxes1 { uvec4 boxes1[]; };
+layout(std430, binding = kBindBoxPools + 2) readonly buffer Boxes2 { uvec4 boxes2[]; };
+layout(std430, binding = kBindBoxPools + 3) readonly buffer Boxes3 { uvec4 boxes3[]; };
+
+/// Where the boxes of one kernel lie.
+struct Kernel {
+  bool present;
+  uint pool, first;
+};
+
+Kernel findKernel(uint stream, GpuRecord record, uint boxes) {
+  PageSlot page = pageTable[stream * frame.tileCount + record.tile];
+  bool upper = record.slot >= 32;
+  uint bit = 1u << (record.slot & 31u);
+  uint rank = bitCount((upper ? page.maskHigh : page.maskLow) & (bit - 1)) + (upper ? bitCount(page.maskLow) : 0);
+  return Kernel(((upper ? page.maskHigh : page.maskLow) & bit) != 0, page.pool, page.firstBox + rank * boxes);
+}
+
+uvec4 loadPacked(Kernel kernel, uint j) {
+  uint i = kernel.present ? kernel.first + j : 0;
+  if (kBoxPools > 1 && kernel.pool == 1) return boxes1[i];
+  if (kBoxPools > 2 && kernel.pool == 2) return boxes2[i];
+  if (kBoxPools > 3 && kernel.pool == 3) return boxes3[i];
+  return boxes0[i];
+}
+
+Box loadBox(Kernel kernel, uint j) { return unpackBox(loadPacked(kernel, j)); }
+
+/// Of slot 0: true for all kernels of a tile and a kind of stream, or for none.
+bool emits(Kernel kernel) { return kEmitters && kernel.present && isEmission(loadPacked(kernel, 0)); }
+
+vec3 emittedRadiance(Kernel kernel) { return kernel.present ? unpackEmission(loadPacked(kernel, 0)) : vec3(0.0); }
+
+#endif

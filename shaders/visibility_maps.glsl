@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_VISIBILITY_MAPS_GLSL
+#define BOXLIGHT_VISIBILITY_MAPS_GLSL
+
+#include "lobe.glsl"
+
+// For each record the place of its map or kAbsent, then the maps.
+layout(std430, binding = kBindVisibilityMaps) readonly buffer VisibilityMaps { uint visibilityMaps[]; };
+
+bool isSplit(uint record) { return visibilityMaps[record] != kAbsent; }
+
+const int kMapColumns = 128, kMapRows = 64, kMostMapRows = 8;
+
+/// What is visible of a rectangle: the part, and the smallest rectangle around it.
+struct VisiblePart {
+  float part;
+  Rectangle around;
+};
+
+/// Cells from the first that a rectangle touches; the outer two are covered in part.
+struct Columns {
+  int first, count;
+  float start, end;  // of the rectangle, from the edge of the first cell
+};
+
+Columns mapColumns(Rectangle rectangle) {
+  float at = rectangle.u * float(kMapColumns);
+  int first = int(floor(at));
+  float start = at - float(first), end = start + rectangle.du * float(kMapColumns);
+  return Columns(first, max(int(ceil(end)), 1), start, end);
+}
+
+/// The rows that stand for those that it touches: `step` rows each, on a grid of their own, so that they do not change with the
+/// rectangle's place.
+struct Rows {
+  int first, end, step;
+  float low, high;  // of the rectangle
+};
+
+Rows mapRows(Rectangle rectangle) {
+  float low = rectangle.latitudes.v * float(kMapRows), high = (rectangle.latitudes.v + rectangle.latitudes.height) * float(kMapRows);
+  int first = min(int(low), kMapRows - 1), step = max(1, int(ceil(rectangle.latitudes.height * float(kMapRows / kMostMapRows))));
+  return Rows(first / step * step, clamp(int(ceil(high)), first + 1, kMapRows), step, low, high);
+}
+
+/// In a map: the word of column x of the row that stands for those from y.
+uint mapWord(int y, Rows rows, int x) { return 4 * uint(min(y + rows.step / 2, kMapRows - 1)) + uint(x) / 32; }
+
+/// Of one row: cells visible, and the first and behind the last of them.
+struct Run {
+  float width;
+  int begin, end;
+};
+
+Run scanRow(uint row, Columns columns) {
+  Run run = Run(0.0, kMapColumns + 1, 0);
+  for (int at = 0; at < columns.count;) {
+    int x = (columns.first + at) & (kMapColumns - 1), taken = min(32 - x % 32, columns.count - at);
+    uint bits = (visibilityMaps[row + uint(x) / 32] >> (x % 32)) & (~0u >> (32 - taken));
+    if (bits != 0) {
+      run.begin = min(run.begin, at + findLSB(bits));
+      run.end = max(run.end, at + findMSB(bits) + 1);
+      run.width += float(bitCount(bits));
+    }
+    at += taken;
+  }
+  if (run.begin == 0) run.width -= columns.start;
+  if (run.end == columns.count) run.width -= float(columns.count) - columns.end;
+  return run;
+}
+
+/// visibility_map.h: scanVisible.
+VisiblePart scanVisible(Rectangle whole, uint map) {
+  Columns columns = mapColumns(whole);
+  Rows rows = mapRows(whole);
+  float all = 0.0, visible = 0.0, left = columns.end, right = columns.start, top = rows.high, bottom = rows.low;
+  for (int y = rows.first; y < rows.end; y += rows.step) {
+    float from = max(rows.low, float(y)), to = min(rows.high, float(y + rows.step)), middle = 0.5 * (from + to) / float(kMapRows);
+    float weight = (to - from) * sinPi(min(middle, 1.0 - middle));
+    Run run = scanRow(map + mapWord(y, rows, 0), columns);
+    all += weight * (columns.end - columns.start);
+    if (run.width > 0.0) {
+      visible += weight * run.width;
+      left = min(left, max(columns.start, float(run.begin)));
+      right = max(right, min(columns.end, float(run.end)));
+      top = min(top, from);
+      bottom = max(bottom, to);
+    }
+  }
+  if (!(visible > 0.0)) return VisiblePart(0.0, whole);
+  float above = max(top - rows.low, 0.0) / float(kMapRows), below = max(rows.high - bottom, 0.0) / float(kMapRows);
+  Latitudes kept = Latitudes(whole.latitudes.v + above, max(whole.latitudes.height - above - below, 0.0), whole.latitudes.below + below);
+  float shift = (left - columns.start) / float(kMapColumns), kept_du = (right - left) / float(kMapColumns);
+  return VisiblePart(min(visible / all, 1.0), Rectangle(whole.u + shift, kept_du, kept));
+}
+
+#endif

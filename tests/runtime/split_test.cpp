@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+// Split lobes, pixel by pixel: the lobe behind the maps of the texels around it against lobe_clip.h, and what
+// takes the place of its hidden part.
+#include <cmath>
+
+#include "common/light/light_domain.h"
+#include "common/light/light_map.h"
+#include "common/light/lobe_boxes.h"
+#include "common/light/lobe_clip.h"
+#include "tests/runtime/pixel_model.h"
+#include "tests/runtime/synthetic.h"
+
+namespace boxlight {
+namespace {
+
+constexpr uint32_t kEdge = 8;  // texels each way
+
+VisibilityMap openMap() {
+  VisibilityMap map;
+  for (uint32_t y = 0; y < VisibilityMap::kRows; ++y)
+    for (uint32_t x = 0; x < VisibilityMap::kColumns; ++x) map.setVisible(x, y);
+  return map;
+}
+
+/// Hidden by round things, others for every record.
+VisibilityMap spottedMap(uint32_t record) {
+  VisibilityMap map;
+  const float turn = 0.2f * float(record % kEdge) + 0.1f * float(record / kEdge);
+  for (uint32_t y = 0; y < VisibilityMap::kRows; ++y)
+    for (uint32_t x = 0; x < VisibilityMap::kColumns; ++x) {
+      const vec3 d = uvToDirection((vec2(x, y) + 0.5f) / vec2(VisibilityMap::kColumns, VisibilityMap::kRows));
+      if (std::sin(5 * d.x + turn) + std::sin(4 * d.z + 3 * turn) + std::sin(3 * d.y) < 1.0f)
+        map.setVisible(x, y);
+    }
+  return map;
+}
+
+/// A soft sky, brighter to one side, and a sun.
+Image skyEnvironment() {
+  Image image = makeImage(256, 128, 3);
+  for (uint32_t y = 0; y < image.height; ++y)
+    for (uint32_t x = 0; x < image.width; ++x) {
+      const vec3 d = uvToDirection((vec2(x, y) + 0.5f) / vec2(image.width, image.height));
+      const float sun = glm::dot(d, glm::normalize(vec3(0.3f, 0.8f, -0.5f))) > 0.995f ? 50.0f : 0.0f;
+      const Rgb color = Rgb(1 + d.x, 1 + 0.5f * d.y, 1 - 0.5f * d.z) + sun;
+      std::copy_n(&color.x, 3, image.at(x, y));
+    }
+  return image;
+}
+
+struct Finish {
+  asset::Material material;
+  asset::MaterialExtension extension;
+  vec2 direction{1, 0};  // of the anisotropy in its texture
+};
+
+Finish metal(float roughness, float anisotropy = 0, float rotation = 0) {
+  Finish finish;
+  finish.material.roughness = roughness;
+  finish.material.baseColor[1] = 0.7f;
+  finish.material.baseColor[2] = 0.3f;
+  finish.extension.anisotropy = anisotropy;
+  finish.extension.anisotropyRotation = rotation;
+  return finish;
+}
+
+/// The direction of the anisotropy comes from a texture.
+Finish brushed() {
+  Finish finish = metal(0.25f, 0.7f, 0.5f);
+  finish.extension.anisotropyTexture = {0, 0, 0};
+  finish.direction = glm::normalize(vec2(0x40, 0xE0) / 127.5f - 1.0f);
+  return finish;
+}
+
+Finish varnish(float roughness) {
+  Finish finish = metal(roughness);
+  finish.material.metallic = 0;
+  return finish;
+}
+
+class SplitTest : public GpuTest {
+ protected:
+  void SetUp() override {
+    GpuTest::SetUp();
+    settings_.camera = cameraAbove(32);
+    settings_.camera.eye = {0.4f, 1.2f, 0.9f};
+    settings_.camera.tanHalfFov = 1.0f;
+    settings_.samples = 1;
+    square_.atlasEdge = kEdge;
+    square_.glossyBoxes = 2;
+    square_.extensions.resize(1);
+  }
+
+  void use(const Finish& finish) {
+    square_.material = finish.material;
+    square_.extensions = {finish.extension};
+    square_.textures.clear();
+    square_.texels = {0xFFFFE040u};  // read where a finish refers to it
+    if (finish.extension.anisotropyTexture.texture == 0)
+      square_.textures = {{1, 1, 0, asset::Wrap::repeat, asset::Wrap::repeat, 0, 1, 0}};
+    else
+      square_.texels.clear();
+  }
+
+  bool isSplit(uint32_t record) const { return !half_ || record % 2 == 1; }
+
+  /// No light but from split lobes: kernels of a hidden part alone, or none where it is 0.
+  asset::AssetReader write(float hiddenPart, Rgb hiddenRadiance) const {
+    asset::Asset asset = square_.makeAsset();
+    if (hiddenPart == 0)
+      for (uint32_t s = 0; s < asset.diffuseStream(); ++s)
+        for (size_t t = 0; t < asset.tiles.size(); ++t) asset.streamMasks[s * asset.tiles.size() + t] = 0;
+    asset.visibilityMaps.clear();
+    for (uint32_t r = 0; r < asset.records.size(); ++r)
+      if (isSplit(r))
+        asset.visibilityMaps.push_back(square_.visibility(r));
+      else
+        asset.records[r].flags &= ~uint32_t(asset::kSplitLobe);
+    return writeSynthetic(file("split.ptb"), asset, [&](uint32_t stream, uint32_t record, uint32_t slot) {
+      if (stream == asset.diffuseStream() || !isSplit(record)) return packBox({0, 0, 1, 1, Rgb(0.0f)});
+      return slot == 0 ? packHiddenPart(hiddenPart) : packBox({0, 0, 1, 1, hiddenPart * hiddenRadiance});
+    });
+  }
+
+  /// Where the ray through the middle of a pixel meets the square, if it does.
+  std::optional<vec3> hit(uint32_t x, uint32_t y) const {
+    const vec3 d = settings_.camera.direction(vec2(x, y) + 0.5f);
+    const vec3 point = settings_.camera.eye - d * (settings_.camera.eye.y / d.y);
+    if (!(d.y < 0) || std::max(std::abs(point.x), std::abs(point.z)) > 0.99f) return std::nullopt;
+    return point;
+  }
+
+  GgxLobe lobeOf(const Finish& finish, vec3 view) const {
+    const auto& m = finish.material;
+    GgxLobe lobe;
+    lobe.normal = {0, 1, 0};
+    lobe.view = view;
+    const float rotation = finish.extension.anisotropyRotation, strength = finish.extension.anisotropy;
+    const vec2 d = finish.direction;
+    const float c = std::cos(rotation), s = std::sin(rotation);
+    lobe.tangent = strength > 0 ? vec3(c * d.x - s * d.y, 0, s * d.x + c * d.y)  // bitangent +Z
+                                : lobeTangent(lobe.normal, view);
+    lobe.bitangent = glm::cross(lobe.normal, lobe.tangent);
+    const float alpha = m.roughness * m.roughness;
+    lobe.alpha = {glm::mix(alpha, 1.0f, strength * strength), alpha};
+    const Rgb color(m.baseColor[0], m.baseColor[1], m.baseColor[2]);
+    lobe.f0 = m.metallic > 0 ? color : Rgb(0.04f * m.specular);
+    lobe.f90 = m.metallic > 0 ? 1.0f : m.specular;
+    return lobe;
+  }
+
+  /// `part`: of the filter, what split records have.
+  FilteredVisibility mapsAround(const std::vector<VisibilityMap>& maps, vec3 point, double& part) const {
+    const vec2 at = 0.5f * (vec2(point.x, point.z) + 1.0f) * float(kEdge) - 0.5f;
+    const glm::ivec2 corner(glm::floor(at));
+    const vec2 f = at - vec2(corner);
+    FilteredVisibility filtered;
+    part = 0;
+    for (int k = 0; k < 4; ++k) {
+      const glm::ivec2 texel = glm::clamp(corner + glm::ivec2(k & 1, k >> 1), 0, int(kEdge) - 1);
+      const auto record = uint32_t(texel.y) * kEdge + uint32_t(texel.x);
+      if (!isSplit(record)) continue;
+      filtered.map[size_t(k)] = &maps[record];
+      filtered.weight[size_t(k)] = (k & 1 ? f.x : 1 - f.x) * (k >> 1 ? f.y : 1 - f.y);
+      part += double(filtered.weight[size_t(k)]);
+    }
+    for (float& weight : filtered.weight) weight /= float(part);
+    return filtered;
+  }
+
+  /// Root of the mean square of the relative difference between the picture and lobe_clip.h.
+  double compare(const Finish& finish, float hiddenPart, Rgb hiddenRadiance) {
+    use(finish);
+    std::vector<VisibilityMap> maps;
+    for (uint32_t r = 0; r < kEdge * kEdge; ++r) maps.push_back(square_.visibility(r));
+    const Image environment = skyEnvironment();
+    const auto reader = write(hiddenPart, hiddenRadiance);
+    gpu::FrameRenderer renderer(*device_, reader, environment, settings_);
+    const SummedArea lights(makeLightMap(environment, settings_.lightSize));
+    const dvec3 stored =
+        double(hiddenPart) * dvec3(hiddenRadiance) * lights.integrate({0, 0, 1, 1}) / (4 * kPiDouble);
+    double sum = 0;
+    int count = 0;
+    for (uint32_t y = 0; y < settings_.camera.size.y; ++y)
+      for (uint32_t x = 0; x < settings_.camera.size.x; ++x) {
+        const auto point = hit(x, y);
+        if (!point) continue;
+        const vec3 view = glm::normalize(settings_.camera.eye - *point);
+        const auto lobe = lobeBoxes(lobeOf(finish, view));
+        double part = 0;
+        const ClippedLobe clipped = clipLobe(lobe, mapsAround(maps, *point, part));
+        dvec3 direct(0.0);
+        for (const auto& [rectangle, energy] : clipped.pieces)
+          direct += energy * lights.integrate(rectangle) / rectangle.solidAngle();
+        dvec3 factor = pixelFactors(finish.material, finish.extension, double(view.y), double(view.y)).glossy;
+        if (finish.extension.anisotropy > 0) factor = dvec3(lobeAlbedo(lobeOf(finish, view)));
+        const dvec3 exact = part * factor * splitRadiance(direct, clipped.hidden, stored, double(hiddenPart));
+        const float* pixel = renderer.picture().at(x, y);
+        sum += std::pow(glm::length(dvec3(pixel[0], pixel[1], pixel[2]) - exact) / glm::length(exact), 2);
+        ++count;
+      }
+    EXPECT_GT(count, 400);
+    return std::sqrt(sum / count);
+  }
+
+  gpu::FrameSettings settings_;
+  Square square_;
+  bool half_ = false;  // are records of every second column whole, and dark?
+};
+
+TEST_F(SplitTest, InTheOpenAPixelIsItsLobeUnderTheLight) {
+  square_.visibility = [](uint32_t) { return openMap(); };
+  for (const Finish& finish :
+       {metal(0.05f), metal(0.3f), metal(0.6f), metal(1.0f), varnish(0.2f), metal(0.3f, 0.8f, 0.6f)})
+    EXPECT_LT(compare(finish, 0, Rgb(0)), 2e-3) << finish.material.roughness;
+}
+
+TEST_F(SplitTest, MapsClipTheLobeAndKernelsFillTheRest) {
+  square_.visibility = spottedMap;
+  for (const Finish& finish :
+       {metal(0.05f), metal(0.3f), metal(0.6f), varnish(0.4f), metal(0.2f, 0.5f, 2.0f), brushed()})
+    EXPECT_LT(compare(finish, 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2) << finish.material.roughness;
+}
+
+TEST_F(SplitTest, AConstantLightIsConstantWhateverIsHidden) {
+  square_.visibility = spottedMap;
+  const Rgb light(1, 2, 3);
+  for (const float hiddenPart : {0.0f, 0.25f}) {
+    Finish finish = metal(0.5f);  // grey: what is hidden is one number for all colours
+    finish.material.baseColor[0] = finish.material.baseColor[1] = finish.material.baseColor[2] = 0.8f;
+    use(finish);
+    gpu::FrameRenderer renderer(*device_, write(hiddenPart, Rgb(1)), constantEnvironment({64, 32}, light),
+                                settings_);
+    for (uint32_t y = 0; y < settings_.camera.size.y; ++y)
+      for (uint32_t x = 0; x < settings_.camera.size.x; ++x) {
+        const auto point = hit(x, y);
+        if (!point) continue;
+        const double cosine = double(glm::normalize(settings_.camera.eye - *point).y);
+        const dvec3 exact =
+            pixelFactors(finish.material, finish.extension, cosine, cosine).glossy * dvec3(light);
+        for (int c = 0; c < 3; ++c)
+          ASSERT_NEAR(renderer.picture().at(x, y)[c], exact[c], 5e-4 * exact[c]) << x << ' ' << y;
+      }
+  }
+}
+
+TEST_F(SplitTest, BesideWholeLobesSplitOnesHaveTheirPart) {
+  square_.visibility = spottedMap;
+  half_ = true;
+  EXPECT_LT(compare(metal(0.4f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
+}
+
+TEST_F(SplitTest, ThePictureOfAnAssetWithoutSplitLobesNeedsNoMaps) {
+  settings_.camera = cameraAbove(16);
+  const auto whole = square_.write(file("whole.ptb"), [](uint32_t, uint32_t, uint32_t) {
+    return Box{0, 0, 1, 1, Rgb(0.5f)};
+  });
+  square_.visibility = [](uint32_t) { return openMap(); };
+  gpu::FrameRenderer plain(*device_, whole, skyEnvironment(), settings_);
+  gpu::FrameRenderer split(*device_, write(0.5f, Rgb(0)), skyEnvironment(), settings_);
+  EXPECT_EQ(split.counts().sceneBytes - plain.counts().sceneBytes,
+            kEdge * kEdge * (sizeof(uint32_t) + sizeof(VisibilityMap)));
+}
+
+}  // namespace
+}  // namespace boxlight
