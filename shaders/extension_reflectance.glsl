@@ -5,10 +5,13 @@
 #include "pixel_lobe.glsl"
 #include "thin_film.glsl"
 
+const uint kPixelLobes = 2;  // the base's and the coat's
+
 /// What a pixel multiplies the demodulated radiance with, of the seen side and of the other one, and what it adds.
 struct Reflectance {
   vec3 diffuse, transmitted, glossy, emission;
-  GgxLobe lobe;  // with kSplit
+  GgxLobe lobe[kPixelLobes];      // with kSplit
+  vec3 reflected[kPixelLobes];  // their parts of `glossy`
 };
 
 Reflectance makeReflectance(vec3 diffuse, vec3 glossy, vec3 emission) {
@@ -17,6 +20,7 @@ Reflectance makeReflectance(vec3 diffuse, vec3 glossy, vec3 emission) {
   result.transmitted = vec3(0.0);
   result.glossy = glossy;
   result.emission = emission;
+  result.reflected = vec3[kPixelLobes](glossy, vec3(0.0));
   return result;
 }
 
@@ -75,19 +79,26 @@ SheenLayer sheenLayer(MaterialExtension extension, ExtensionTextures textures, f
 /// KHR_materials_clearcoat: its weight w_c, which is taken from all below it, and its albedo.
 struct CoatLayer {
   float weight, albedo;
+  GgxLobe lobe;  // with kSplit
 };
 
 CoatLayer coatLayer(MaterialExtension extension, ExtensionTextures textures, SurfacePoint point, bool front, vec3 toEye) {
-  if (!kClearcoat) return CoatLayer(0.0, 0.0);
+  CoatLayer coat;
+  coat.weight = coat.albedo = 0.0;
+  if (!kClearcoat) return coat;
   float clearcoat = extension.clearcoat * textures.value[kClearcoatTexture].r;
   float roughness = extension.clearcoatRoughness * textures.value[kClearcoatRoughnessTexture].g;
   vec3 normal = textures.coatNormal
                     ? bentNormal(textures.value[kClearcoatNormalTexture].xyz, extension.clearcoatNormalScale, point)
                     : interpolatedNormal(point);
-  float nDotV = max(dot(normal, toEye) * (front ? 1.0 : -1.0), kMinimumCosine);
+  normal *= front ? 1.0 : -1.0;
+  float nDotV = max(dot(normal, toEye), kMinimumCosine);
   float grazing = 1.0 - nDotV, squared = grazing * grazing;
   vec2 albedo = specularAlbedo(roughness, nDotV);
-  return CoatLayer(clearcoat * (0.04 + 0.96 * squared * squared * grazing), albedo.x + albedo.y);
+  coat.weight = clearcoat * (0.04 + 0.96 * squared * squared * grazing);
+  coat.albedo = albedo.x + albedo.y;
+  if (kSplit) coat.lobe = coatLobe(roughness, normal, toEye);
+  return coat;
 }
 
 vec3 emittedRadiance(MaterialExtension extension, ExtensionTextures textures) {
@@ -117,8 +128,11 @@ Reflectance extendBase(Surface surface, BaseLayer base, uint index, ExtensionTex
   if ((materials[index].flags & kMultipleScattering) != 0) base.reflected *= multipleScattering(base);
   Reflectance result = makeReflectance(vec3(0.0), vec3(0.0), vec3(0.0));
   splitDiffuse(extension, textures, surface.baseColor, below * sheen.passed * base.scattered * (1.0 - transmission), result);
-  result.glossy = below * (sheen.passed * (base.reflected + transmittedLobe(surface, base, transmission)) + sheen.reflected) +
-                  coat.weight * coat.albedo;
+  result.reflected[0] = below * sheen.passed * base.reflected;
+  result.reflected[1] = vec3(coat.weight * coat.albedo);
+  result.glossy = below * (sheen.passed * transmittedLobe(surface, base, transmission) + sheen.reflected) +
+                  result.reflected[0] + result.reflected[1];
+  if (kSplit) result.lobe[1] = coat.lobe;
   result.emission = below * emittedRadiance(extension, textures);
   return result;
 }

@@ -97,9 +97,9 @@ void addVisible(LobeBox box, FilteredMaps maps, inout vec3 radiance, inout vec3 
 }
 
 /// lobe_clip.h: clipLobe of lobeBoxes, under the light. The boxes' energies are divided by their sum.
-ClippedLobe clipLobe(GgxLobe lobe, FilteredMaps maps) {
+ClippedLobe clipLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {
   vec3 radiance = vec3(0.0), direct = vec3(0.0), all = vec3(0.0);
-  for (uint j = maps.count > 0 ? 0 : kLobeBoxes; j < kLobeBoxes; ++j) {
+  for (uint j = wanted && maps.count > 0 ? 0 : kLobeBoxes; j < kLobeBoxes; ++j) {
     LobeBox box = lobeBox(lobe, j);
     all += box.energy;
     addVisible(box, maps, radiance, direct);
@@ -111,12 +111,10 @@ ClippedLobe clipLobe(GgxLobe lobe, FilteredMaps maps) {
 const float kUnseenHidden = 1.0 / 256.0;  // lobe_clip.h
 const float kLeastDirect = 1e-3;
 
-/// lobe_clip.h: splitRadiance. `stored`: radiance from hidden directions and the part that it stands for. All of it is less where
-/// the lobe's albedo is less than `assumed`, unless that is 0.
-vec3 splitRadiance(ClippedLobe lobe, vec3 assumed, vec4 stored) {
-  vec3 direct = lobe.radiance / max(1.0 - lobe.hidden, kLeastDirect);
-  vec3 whole = lobe.radiance + lobe.hidden * (stored.rgb + kUnseenHidden * direct) / (stored.a + kUnseenHidden);
-  return assumed == vec3(0.0) ? whole : whole * lobe.albedo / max(assumed, 1e-6);
+/// lobe_clip.h: splitRadiance. `stored`: radiance that kernels hold and the part that it stands for.
+vec3 splitRadiance(vec3 radiance, float hidden, vec4 stored) {
+  vec3 direct = radiance / max(1.0 - hidden, kLeastDirect);
+  return radiance + hidden * (stored.rgb + kUnseenHidden * direct) / (stored.a + kUnseenHidden);
 }
 
 #endif

@@ -11,30 +11,51 @@ layout(constant_id = kConstantSplit) const bool kSplit = true;
 const float kLeastAlpha = 1e-4;    // ggx.h: kMinAlpha
 const float kLeastTangent = 1e-4;  // of an anisotropy's direction in the plane of the normal
 
-/// Local x: along the anisotropy; without one, lobe_boxes.h: lobeTangent.
-vec3 lobeTangent(Anisotropy anisotropy, SurfacePoint point, vec3 normal, vec3 toEye) {
-  vec3 mirror = reflect(-toEye, normal);
-  vec3 along = anisotropy.strength > 0.0 ? fromTangentSpace(vec3(anisotropy.direction, 0.0), point)
-                                         : vec3(-mirror.z, 0.0, mirror.x);
+/// The unit vector perpendicular to `normal` that is nearest to `along`.
+vec3 tangentAlong(vec3 along, vec3 normal) {
   along -= dot(along, normal) * normal;
   float size = length(along);
   vec3 any = abs(normal.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
   return size > kLeastTangent ? along / size : normalize(any - dot(any, normal) * normal);
 }
 
-/// The GGX reflection of the pixel's own normal, view and textures; its normal is raised as the bake raises it.
-GgxLobe pixelLobe(BaseLayer base, float roughness, Anisotropy anisotropy, SurfacePoint point, vec3 normal, vec3 toEye) {
-  normal = raiseAboveHorizon(normal, toEye, kMinimumCosine);
-  vec3 tangent = lobeTangent(anisotropy, point, normal, toEye), bitangent = cross(normal, tangent);
-  float alpha = max(roughness * roughness, kLeastAlpha);
+/// lobe_boxes.h: lobeTangent.
+vec3 isotropicTangent(vec3 normal, vec3 toEye) {
+  vec3 mirror = reflect(-toEye, normal);
+  return tangentAlong(vec3(-mirror.z, 0.0, mirror.x), normal);
+}
+
+vec3 lobeTangent(Anisotropy anisotropy, SurfacePoint point, vec3 normal, vec3 toEye) {
+  if (anisotropy.strength <= 0.0) return isotropicTangent(normal, toEye);
+  return tangentAlong(fromTangentSpace(vec3(anisotropy.direction, 0.0), point), normal);
+}
+
+GgxLobe makeLobe(vec3 tangent, vec3 normal, vec3 toEye, vec2 alpha) {
   GgxLobe lobe;
-  lobe.frame = mat3(tangent, bitangent, normal);
+  lobe.frame = mat3(tangent, cross(normal, tangent), normal);
   lobe.view = toEye * lobe.frame;
-  lobe.alpha = vec2(mix(alpha, 1.0, anisotropy.strength * anisotropy.strength), alpha);
+  lobe.alpha = max(alpha, kLeastAlpha);
+  lobe.f0 = vec3(1.0);
+  lobe.f90 = 1.0;
+  lobe.albedo = vec3(0.0);
+  return lobe;
+}
+
+/// The GGX reflection of the pixel's own normal, view and textures; its normal is raised as the bake raises it.
+GgxLobe baseLobe(BaseLayer base, float roughness, Anisotropy anisotropy, SurfacePoint point, vec3 normal, vec3 toEye) {
+  normal = raiseAboveHorizon(normal, toEye, kMinimumCosine);
+  float alpha = roughness * roughness, along = mix(alpha, 1.0, anisotropy.strength * anisotropy.strength);
+  GgxLobe lobe = makeLobe(lobeTangent(anisotropy, point, normal, toEye), normal, toEye, vec2(along, alpha));
   lobe.f0 = base.f0;
   lobe.f90 = base.f90;
-  lobe.albedo = anisotropy.strength > 0.0 ? base.reflected : vec3(0.0);
+  if (anisotropy.strength > 0.0) lobe.albedo = base.reflected;
   return lobe;
+}
+
+/// KHR_materials_clearcoat: its Fresnel factor is in its weight.
+GgxLobe coatLobe(float roughness, vec3 normal, vec3 toEye) {
+  normal = raiseAboveHorizon(normal, toEye, kMinimumCosine);
+  return makeLobe(isotropicTangent(normal, toEye), normal, toEye, vec2(roughness * roughness));
 }
 
 #endif

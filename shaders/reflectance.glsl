@@ -24,7 +24,7 @@ Reflectance reflectance(uint index, SurfacePoint point, bool front, vec3 normal,
   BaseLayer base = baseLayer(surface, nDotV);
   Reflectance result = makeReflectance(surface.baseColor * base.scattered, base.reflected, vec3(0.0));
   if (kExtended) result = extendBase(surface, base, index, textures, point, front, toEye, nDotV);
-  if (kSplit) result.lobe = pixelLobe(base, roughness, anisotropy, point, normal, toEye);
+  if (kSplit) result.lobe[0] = baseLobe(base, roughness, anisotropy, point, normal, toEye);
   return result;
 }
 

@@ -13,11 +13,29 @@ layout(constant_id = kConstantBackground) const bool kBackground = true;
 layout(local_size_x = kPixelGroup, local_size_y = kPixelGroup) in;
 layout(std430, binding = kBindPicture) writeonly buffer Picture { vec4 picture[]; };
 
-/// What a pixel's factor for gloss is multiplied with.
-vec3 glossyRadiance(FilteredRadiance seen, GgxLobe lobe) {
-  if (!kSplit) return seen.glossy;
-  vec3 radiance = splitRadiance(clipLobe(lobe, seen.maps), lobe.albedo, seen.hidden);
-  return seen.split > 0.0 ? seen.glossy + seen.split * radiance : seen.glossy;
+/// Radiance by way of the view-dependent lobes: those of the pixel's own that microfacets reflect, each times its part of the
+/// factor, and with the hidden parts of them whatever other lobes there are.
+vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
+  vec3 radiance = vec3(0.0), total = factors.glossy;
+  for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) total -= factors.reflected[l];
+  float hidden = strength(total);
+  for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) {
+    vec3 assumed = factors.lobe[l].albedo, factor = factors.reflected[l];
+    ClippedLobe lobe = clipLobe(factors.lobe[l], seen.maps, factor != vec3(0.0));
+    if (assumed != vec3(0.0)) factor *= lobe.albedo / max(assumed, 1e-6);
+    radiance += factor * lobe.radiance;
+    hidden += strength(factor) * lobe.hidden;
+    total += factor;
+  }
+  total = max(total, 1e-30);
+  return total * splitRadiance(radiance / total, clamp(hidden / strength(total), 0.0, 1.0), seen.hidden);
+}
+
+vec3 glossyRadiance(FilteredRadiance seen, Reflectance factors) {
+  vec3 whole = factors.glossy * seen.glossy;
+  if (!kSplit) return whole;
+  vec3 split = splitGloss(seen, factors);
+  return seen.split > 0.0 ? whole + seen.split * split : whole;
 }
 
 /// Towards the eye, of the plane of a triangle where the ray through a pixel position meets it.
@@ -39,7 +57,7 @@ vec3 surfaceRadiance(uint index, vec2 position) {
   vec2 uv = interpolate2(triangle.xyz, point.weight, kAtlasUvAt);
   FilteredRadiance seen = filterShaded(uv, front, kGlossy && factors.glossy != vec3(0.0), bend);
   vec3 radiance = factors.diffuse * seen.diffuse;
-  if (kGlossy) radiance += factors.glossy * glossyRadiance(seen, factors.lobe);
+  if (kGlossy) radiance += glossyRadiance(seen, factors);
   if (kOtherSide && showsOtherSide(triangle.w)) {
     // What a medium scatters does not come straight from the light.
     bend = Bend(bend.bends && (materials[triangle.w].flags & kVolume) == 0, -normal);

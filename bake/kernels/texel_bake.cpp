@@ -88,7 +88,7 @@ void TexelBaker::bakeSplit(const PathOrigin& origin, const GlossyKernels& kernel
     if (!stored[view]) continue;
     traceView(origin, view, kernels, result);
     if (!(paths_.hidden > 0.0)) continue;
-    std::erase_if(paths_.deposits, [](const Deposit& deposit) { return deposit.direct; });
+    paths_.removeMirrored();
     RecordKernel& kernel = result.glossy[view];
     kernel.slots = pack(fit(glossyFitter_, kernels.slots - 1), kernels.slots - 1);
     kernel.slots.insert(kernel.slots.begin(), packHiddenPart(paths_.hiddenPart()));

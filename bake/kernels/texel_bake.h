@@ -27,10 +27,13 @@ struct KernelOptions {
   uint32_t glossyBoxes(uint32_t lobes) const {
     return std::min(std::min(lobes, 2u) * boxes, kMaxFittedBoxes);
   }
-  /// Slots of a split lobe's kernels: its hidden part, and half the boxes, since the direct light takes none.
-  uint32_t splitSlots() const { return 1 + (boxes + 1) / 2; }
+  /// Slots of a split kernel: its hidden part, half the boxes for it, since the direct light takes none, and
+  /// those of whole lobes.
+  uint32_t splitSlots(uint32_t whole) const {
+    return 1 + std::min((boxes + 1) / 2 + std::min(whole, 2u) * boxes, kMaxFittedBoxes - 1);
+  }
   uint32_t glossySlots(const RecordPlan& plan) const {
-    return plan.isSplit() ? splitSlots() : glossyBoxes(plan.glossyLobes);
+    return plan.isSplit() ? splitSlots(plan.unmirrored) : glossyBoxes(plan.glossyLobes);
   }
 
   static constexpr uint32_t kMaxFittedBoxes = 64;

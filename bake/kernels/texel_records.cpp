@@ -24,9 +24,8 @@ struct TexelMeans {
   vec3 position{0.0f}, normal{0.0f}, geometric{0.0f};
   Rgb f0{0.0f};
   float roughness = 0, metallic = 0;
-  uint32_t material = 0, glossyLobes = 0;
-  bool diffuse = false, transmits = false, doubleSided = false;
-  bool splits = true;  ///< no view-dependent lobe but GGX reflection
+  uint32_t material = 0, glossyLobes = 0, unmirrored = 0;
+  bool diffuse = false, transmits = false, mirrors = false, doubleSided = false, volume = false;
 };
 
 TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footprint) {
@@ -45,13 +44,16 @@ TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footp
     metallic += kShare * m.metallic;
     material = scene.triangles[point.triangle].material;
     glossyLobes = std::max(glossyLobes, bsdf.viewDependentCount());
-    splits &= bsdf.viewDependentCount() == uint32_t(bsdf.has(kSpecular));
+    unmirrored = std::max(unmirrored, bsdf.unmirroredCount());
+    mirrors |= bsdf.has(kMirrored);
     diffuse |= bsdf.has(kDiffuse);
     transmits |= bsdf.has(kDiffuseTransmit);
   }
-  for (const FootprintPiece& piece : footprint)
-    doubleSided |=
-        (scene.materials[scene.triangles[piece.triangle].material].flags & asset::kDoubleSided) != 0;
+  for (const FootprintPiece& piece : footprint) {
+    const uint32_t flags = scene.materials[scene.triangles[piece.triangle].material].flags;
+    doubleSided |= (flags & asset::kDoubleSided) != 0;
+    volume |= (flags & asset::kVolume) != 0;
+  }
 }
 
 /// Normals that cancel (a texel that folds over) leave no direction: any of its surface's will do.
@@ -96,7 +98,9 @@ std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map,
     plans[side].lambert = (seen && means.diffuse) || (otherSeen && means.transmits);
     plans[side].glossy = seen && means.glossyLobes > 0;
     plans[side].glossyLobes = means.glossyLobes;
-    if (scheme == asset::Scheme::split && plans[side].glossy && means.splits)
+    plans[side].unmirrored = means.unmirrored;
+    const bool inside = side == 1 && means.volume;
+    if (scheme == asset::Scheme::split && plans[side].glossy && means.mirrors && !inside)
       plans[side].record.flags |= asset::kSplitLobe;
   }
   return plans;

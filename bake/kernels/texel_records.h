@@ -16,15 +16,16 @@ struct RecordPlan {
   bool lambert = false;  ///< its own diffuse reflection, or the other side's diffuse transmission, needs it
   bool glossy = false;   ///< it is seen, and has view-dependent lobes
   uint32_t glossyLobes = 0;  ///< view-dependent lobes with directions of their own, at most
+  uint32_t unmirrored = 0;   ///< those of them that no microfacets reflect
 
-  /// Is its one glossy lobe split? (asset::Scheme::split)
+  /// Are the lobes that microfacets reflect split? (asset::Scheme::split)
   bool isSplit() const { return (record.flags & asset::kSplitLobe) != 0; }
   PathOrigin origin(const Intersector& world, const TexelMap& map) const;
 };
 
 /// The records of a scene in texel order: the front of every covered texel; the back where it is seen
 /// (double-sided, and reached by light from outside) or where diffuse transmission gathers from it.
-/// Scheme::split splits the lobes of those that do nothing view-dependent but reflect by GGX.
+/// Scheme::split splits the lobes that microfacets reflect, but not inside a volume.
 std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map,
                                     asset::Scheme scheme = asset::Scheme::sketch);
 

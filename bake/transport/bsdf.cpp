@@ -65,8 +65,11 @@ bool Bsdf::has(uint32_t lobes) const {
 }
 
 uint32_t Bsdf::viewDependentCount() const {
-  return uint32_t(has(kSpecular)) + uint32_t(has(kSpecular) && specular_.transmits()) +
-         uint32_t(has(kSheen)) + uint32_t(has(kCoat));
+  return uint32_t(has(kSpecular)) + uint32_t(has(kCoat)) + unmirroredCount();
+}
+
+uint32_t Bsdf::unmirroredCount() const {
+  return uint32_t(has(kSpecular) && specular_.transmits()) + uint32_t(has(kSheen));
 }
 
 Rgb Bsdf::viewDependentAlbedo() const {

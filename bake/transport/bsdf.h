@@ -15,6 +15,7 @@ enum Lobes : uint32_t {
   kSheen = 8,
   kCoat = 16,
   kViewDependent = kSpecular | kSheen | kCoat,  ///< what a kernel has to store for each view
+  kMirrored = kSpecular | kCoat,                ///< what microfacets reflect, if the direction is above
   kAllLobes = 31,
 };
 
@@ -43,6 +44,8 @@ class Bsdf {
   bool has(uint32_t lobes) const;
   /// Number of view-dependent lobes whose directions differ: reflection, transmission, sheen, coat.
   uint32_t viewDependentCount() const;
+  /// Those of them that are not reflected by microfacets: transmission, sheen.
+  uint32_t unmirroredCount() const;
   Rgb f0() const { return fresnel_.f0(); }
   vec2 alpha() const { return specular_.alpha(); }
 

@@ -10,7 +10,8 @@ namespace boxlight {
 struct Deposit {
   vec2 uv{0.0f};         ///< escape direction in the light domain (common/light/light_domain.h)
   Rgb throughput{0.0f};  ///< finite, >= 0
-  bool direct = false;   ///< the path met no other surface and no medium scattered it
+  /// Of the throughput: what was reflected by microfacets and then met no other surface and no medium.
+  Rgb mirrored{0.0f};
 
   bool operator==(const Deposit&) const = default;
 };

@@ -17,13 +17,22 @@ bool hasVolumes(const Scene& scene) {
                      [](const asset::Material& m) { return m.flags & asset::kVolume; });
 }
 
-/// Of a path that leaves by view-dependent lobes, divided by their albedo; 0 if it leaves by none.
-Rgb firstThroughput(const Bsdf& bsdf, const LobeSample& drawn) {
-  if (drawn.wi == vec3(0.0f) && !drawn.delta) return Rgb(0.0f);
-  const LobeValue lobe =
-      drawn.delta ? LobeValue{drawn.weight, 1.0f} : bsdf.evaluate(drawn.wi, kViewDependent);
-  if (!(lobe.density > 0.0f)) return Rgb(0.0f);
-  return lobe.value / lobe.density / glm::max(bsdf.viewDependentAlbedo(), Rgb(1e-6f));
+/// Of a path that leaves by view-dependent lobes, divided by their albedo.
+struct FirstThroughput {
+  Rgb all{0.0f};       ///< 0 if it leaves by none
+  Rgb mirrored{0.0f};  ///< what of it was reflected by microfacets
+};
+
+FirstThroughput firstThroughput(const Bsdf& bsdf, const LobeSample& drawn) {
+  const Rgb albedo = glm::max(bsdf.viewDependentAlbedo(), Rgb(1e-6f));
+  if (drawn.delta) return {drawn.weight / albedo};
+  if (drawn.wi == vec3(0.0f)) return {};
+  const LobeValue lobes = bsdf.evaluate(drawn.wi, kViewDependent);
+  if (!(lobes.density > 0.0f)) return {};
+  const Rgb all = lobes.value / lobes.density / albedo;
+  if (!bsdf.has(kSheen)) return {all, drawn.wi.z > 0.0f ? all : Rgb(0.0f)};
+  const Rgb reflected = bsdf.evaluate(drawn.wi, kMirrored).value;
+  return {all, drawn.wi.z > 0.0f ? reflected / lobes.density / albedo : Rgb(0.0f)};
 }
 
 }  // namespace
@@ -34,6 +43,14 @@ void KernelPaths::clear() {
   traced = 0;
   removed = 0;
   hidden = 0;
+}
+
+void KernelPaths::removeMirrored() {
+  constexpr float kRounding = 1e-6f;  // what is left of a difference of equal sums
+  std::erase_if(deposits, [](Deposit& deposit) {
+    deposit.throughput = glm::max(deposit.throughput - deposit.mirrored, Rgb(0.0f));
+    return maxComponent(deposit.throughput) <= kRounding * maxComponent(deposit.mirrored);
+  });
 }
 
 bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const {
@@ -49,30 +66,32 @@ bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfaceP
   return false;
 }
 
-void PathTracer::deposit(const PathState& path, bool direct, KernelPaths& paths) const {
+void PathTracer::deposit(const PathState& path, Rgb mirrored, KernelPaths& paths) const {
   Rgb throughput = path.throughput;
   const float largest = maxComponent(throughput);
   if (largest > limits_.throughput) {
     const Rgb kept = throughput * (limits_.throughput / largest);
     paths.removed += double(luminance(throughput - kept));
     throughput = kept;
+    mirrored *= limits_.throughput / largest;
   }
-  paths.deposits.push_back({directionToUv(path.direction), throughput, direct});
+  paths.deposits.push_back({directionToUv(path.direction), throughput, mirrored});
 }
 
-void PathTracer::leave(const SurfaceView& first, PathState path, Sampler& sampler, KernelPaths& paths) const {
+void PathTracer::leave(const SurfaceView& first, PathState path, Rgb mirrored, Sampler& sampler,
+                       KernelPaths& paths) const {
   const Scene& scene = world_.scene();
   SurfaceView surface = first;
   const vec3 start = path.direction;
-  const double lobe = double(luminance(path.throughput));
+  const double lobe = double(luminance(path.throughput)), own = double(luminance(mirrored));
   for (uint32_t bounce = 0;; ++bounce) {
     Ray ray = leaveSurface(scene, surface, path.direction);
     const Travel next = travel(world_, path.media, ray, path.throughput, sampler);
     path.direction = ray.direction;
     const bool direct = bounce == 0 && !next.point && path.direction == start;
-    if (bounce == 0 && !direct) paths.hidden += lobe;
+    if (bounce == 0) paths.hidden += direct ? lobe - own : lobe;
     if (!(maxComponent(path.throughput) > 0.0f)) return;
-    if (!next.point) return deposit(path, direct, paths);
+    if (!next.point) return deposit(path, direct ? mirrored : Rgb(0.0f), paths);
     surface = viewSurface(scene, *next.point, -path.direction, path.media);
     const Bsdf bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
                     surface.coatNormal);
@@ -93,7 +112,7 @@ void PathTracer::traceLambert(const PathOrigin& origin, const StreamKey& key, ui
         viewSurfaceSide(world_.scene(), point, origin.normal, origin.back, origin.media);
     const vec3 direction = surface.toWorld(cosineDirection(sampler.next2()));
     if (glm::dot(direction, surface.geometricNormal) > 0.0f)
-      leave(surface, {direction, Rgb(1.0f), origin.media}, sampler, paths);
+      leave(surface, {direction, Rgb(1.0f), origin.media}, Rgb(0.0f), sampler, paths);
   }
 }
 
@@ -111,10 +130,11 @@ void PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey&
     const vec2 random = sampler.next2();
     const float choice = bsdf.viewDependentCount() > 1 ? sampler.next() : 0.0f;
     const LobeSample drawn = bsdf.sample(choice, random, kViewDependent);
-    PathState state{-wo, firstThroughput(bsdf, drawn), origin.media};
+    const FirstThroughput throughput = firstThroughput(bsdf, drawn);
+    PathState state{-wo, throughput.all, origin.media};
     if (!(maxComponent(state.throughput) > 0.0f)) continue;
     if (turnPath(surface, drawn, state))
-      leave(surface, state, sampler, paths);
+      leave(surface, state, throughput.mirrored, sampler, paths);
     else
       paths.hidden += double(luminance(state.throughput));
   }

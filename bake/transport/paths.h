@@ -33,14 +33,17 @@ struct KernelPaths {
   dvec3 emitted{0.0};   ///< sum of throughput times the radiance of emitters met
   uint32_t traced = 0;  ///< paths, those that escaped nowhere included
   double removed = 0;   ///< luminance that PathLimits::throughput took, summed like the deposits
-  /// Sum of the luminances of first throughputs that do not leave the scene straight away: rays that meet a
-  /// surface or scatter in a medium, and those below the geometric horizon.
+  /// Sum of the luminances of first throughputs that are not reflected by microfacets and leave the scene
+  /// straight away: of rays that meet a surface or scatter in a medium, those below the geometric horizon, and
+  /// all of other lobes.
   double hidden = 0;
 
   void clear();
+  /// Leaves of the deposits what pixels cannot make themselves; drops those of which nothing is left.
+  void removeMirrored();
   /// Mean radiance by way of the scene's emitters.
   Rgb emission() const { return traced ? Rgb(emitted / double(traced)) : Rgb(0.0f); }
-  /// Which part of the lobe sees something else than the distant light.
+  /// Which part of the lobes a pixel cannot make itself.
   float hiddenPart() const { return traced ? float(hidden / double(traced)) : 0.0f; }
 };
 
@@ -68,8 +71,9 @@ class PathTracer {
 
  private:
   bool startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const;
-  void leave(const SurfaceView& surface, PathState path, Sampler& sampler, KernelPaths& paths) const;
-  void deposit(const PathState& path, bool direct, KernelPaths& paths) const;
+  void leave(const SurfaceView& surface, PathState path, Rgb mirrored, Sampler& sampler,
+             KernelPaths& paths) const;
+  void deposit(const PathState& path, Rgb mirrored, KernelPaths& paths) const;
   bool escapes(Ray ray, Sampler& sampler) const;
 
   const Intersector& world_;

@@ -42,7 +42,7 @@ std::vector<Box> SplitTexel::lobe(vec3 direction, uint32_t pixel) const {
 std::vector<Box> SplitTexel::hidden(uint32_t view) const {
   KernelPaths paths;
   scene_.trace(subject_, Gloss::sharp, scene_.sphere().directions()[view], view, options_.paths, paths);
-  std::erase_if(paths.deposits, [](const Deposit& deposit) { return deposit.direct; });
+  paths.removeMirrored();
   return BoxFitter({.boxes = int(options_.hiddenBoxes)}).fit(paths.deposits, paths.traced);
 }
 
