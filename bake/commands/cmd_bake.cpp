@@ -19,7 +19,7 @@ namespace boxlight {
 namespace {
 
 struct BakeOptions {
-  std::string scene, output, preset = "preview", atlasUv = "auto", scheme = "sketch";
+  std::string scene, output, preset = "preview", atlasUv = "auto", scheme = "auto";
   TransportOptions transport;
   uint32_t atlas = 0, views = 92, boxes = 0, paths = 0;  ///< 0: as the preset says
 };
@@ -43,8 +43,9 @@ const std::map<std::string, AtlasSource>& atlasSources() {
 }
 
 const std::map<std::string, asset::Scheme>& schemes() {
-  static const std::map<std::string, asset::Scheme> table = {{"sketch", asset::Scheme::sketch},
-                                                             {"split", asset::Scheme::split}};
+  // The split is the most accurate at every roughness that was measured (docs/decisions/006-split-lobes.md).
+  static const std::map<std::string, asset::Scheme> table = {
+      {"auto", asset::Scheme::split}, {"sketch", asset::Scheme::sketch}, {"split", asset::Scheme::split}};
   return table;
 }
 
@@ -147,10 +148,10 @@ void addBakeCommand(CLI::App& app, CommonOptions& common) {
       ->capture_default_str();
   command
       ->add_option("--scheme", o->scheme,
-                   "sketch: boxes are all there is to gloss. split: boxes hold what other surfaces send, the "
-                   "direct lobe is shaded per pixel; where a material has more than GGX reflection it is "
-                   "still sketch")
-      ->check(CLI::IsMember({"sketch", "split"}))
+                   "sketch: boxes are all there is to gloss. split: pixels shade their own reflection of the "
+                   "light, boxes hold what other surfaces send, sheen and transmission. auto: the most "
+                   "accurate, which is split")
+      ->check(CLI::IsMember({"auto", "sketch", "split"}))
       ->capture_default_str();
   command->add_option("--views", o->views, "View directions")
       ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))

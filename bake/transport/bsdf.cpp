@@ -101,7 +101,8 @@ LobeSample Bsdf::sample(float choice, vec2 random, uint32_t lobes) const {
       continue;
     }
     LobeSample drawn = sampleLobe(i, std::clamp(left / probability_[i], 0.0f, 0x1.fffffep-1f), random);
-    if (drawn.delta) drawn.weight *= weight_[i] * (total / probability_[i]);
+    drawn.weight *= weight_[i] * (total / probability_[i]);
+    drawn.lost *= weight_[i] * (total / probability_[i]);
     return drawn;
   }
   return {};
@@ -146,6 +147,12 @@ LobeValue Bsdf::coat(vec3 wi) const {
           ggx::visibleNormalDensity(view, local, coatAlpha_) / (4.0f * glm::dot(wo_, half))};
 }
 
+/// G2 / G1: what a reflection by a visible normal weighs.
+float Bsdf::coatShadowing(float nDotL, float nDotV) const {
+  const float masked = 1.0f + ggx::lambda(nDotV, coatAlpha_);
+  return masked / (masked + ggx::lambda(nDotL, coatAlpha_));
+}
+
 LobeSample Bsdf::sampleLobe(uint32_t index, float choice, vec2 random) const {
   switch (1u << index) {
     case kDiffuse:
@@ -161,7 +168,9 @@ LobeSample Bsdf::sampleLobe(uint32_t index, float choice, vec2 random) const {
       const vec3 half = ggx::sampleVisibleNormal(view, coatAlpha_, random);
       const vec3 wi = glm::reflect(-view, half);
       if (wi.z <= 0.0f) return {};
-      return onSide(wi.x * coatTangent_ + wi.y * coatBitangent_ + wi.z * coatNormal_, 1.0f);
+      LobeSample drawn = onSide(wi.x * coatTangent_ + wi.y * coatBitangent_ + wi.z * coatNormal_, 1.0f);
+      if (drawn.wi == vec3(0.0f)) drawn.lost = Rgb(coatShadowing(wi.z, view.z));
+      return drawn;
     }
   }
 }

@@ -55,6 +55,7 @@ class Bsdf {
   LobeValue lambert(vec3 wi, float side) const;
   LobeValue sheen(vec3 wi) const;
   LobeValue coat(vec3 wi) const;
+  float coatShadowing(float nDotL, float nDotV) const;
   LobeSample sampleLobe(uint32_t index, float choice, vec2 random) const;
   void chooseProbabilities();
 

@@ -11,6 +11,7 @@ namespace {
 constexpr int kMaskTries = 16;        ///< points drawn on a texel before it counts as cut away by its mask
 constexpr uint32_t kReachPaths = 64;  ///< of isReached
 constexpr int kReachBounces = 8;
+constexpr float kLeastAlbedo = 1e-6f;  ///< that throughputs are divided by
 
 bool hasVolumes(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
@@ -24,7 +25,7 @@ struct FirstThroughput {
 };
 
 FirstThroughput firstThroughput(const Bsdf& bsdf, const LobeSample& drawn) {
-  const Rgb albedo = glm::max(bsdf.viewDependentAlbedo(), Rgb(1e-6f));
+  const Rgb albedo = glm::max(bsdf.viewDependentAlbedo(), Rgb(kLeastAlbedo));
   if (drawn.delta) return {drawn.weight / albedo};
   if (drawn.wi == vec3(0.0f)) return {};
   const LobeValue lobes = bsdf.evaluate(drawn.wi, kViewDependent);
@@ -130,6 +131,7 @@ void PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey&
     const vec2 random = sampler.next2();
     const float choice = bsdf.viewDependentCount() > 1 ? sampler.next() : 0.0f;
     const LobeSample drawn = bsdf.sample(choice, random, kViewDependent);
+    paths.hidden += double(luminance(drawn.lost / glm::max(bsdf.viewDependentAlbedo(), Rgb(kLeastAlbedo))));
     const FirstThroughput throughput = firstThroughput(bsdf, drawn);
     PathState state{-wo, throughput.all, origin.media};
     if (!(maxComponent(state.throughput) > 0.0f)) continue;

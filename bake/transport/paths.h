@@ -34,8 +34,8 @@ struct KernelPaths {
   uint32_t traced = 0;  ///< paths, those that escaped nowhere included
   double removed = 0;   ///< luminance that PathLimits::throughput took, summed like the deposits
   /// Sum of the luminances of first throughputs that are not reflected by microfacets and leave the scene
-  /// straight away: of rays that meet a surface or scatter in a medium, those below the geometric horizon, and
-  /// all of other lobes.
+  /// straight away: of rays that meet a surface or scatter in a medium, those below the geometric horizon,
+  /// and all of other lobes.
   double hidden = 0;
 
   void clear();

@@ -17,11 +17,12 @@ struct LobeValue {
 };
 
 /// A direction drawn from a lobe; 0 if it left the lobe's side of the surface: that path ends. A `delta` goes
-/// straight on: no density tells how likely it is, and `weight` is what value / density would be.
+/// straight on: no density tells how likely it is, and `weight` is what value / density would be. So is
+/// `lost`, of a direction that a coat with a normal of its own reflects into the surface.
 struct LobeSample {
   vec3 wi{0.0f};
   bool delta = false;
-  Rgb weight{0.0f};
+  Rgb weight{0.0f}, lost{0.0f};
 };
 
 /// `wi` as a sample of a lobe on the side of that sign. On the other side another lobe's density would be

@@ -224,7 +224,7 @@ static_assert(sizeof(AtlasTexel) == 8);
 
 enum RecordFlags : uint32_t {
   kBackSide = 1u << 0,   ///< the normal below is turned to the back of the surface
-  kSplitLobe = 1u << 1,  ///< glossy kernels hold what comes from hidden directions only; Scheme::split
+  kSplitLobe = 1u << 1,  ///< glossy kernels hold all but reflections straight from the light; Scheme::split
 };
 
 /// One side of one texel: where its kernels were traced, and with which first-hit parameters (means over the

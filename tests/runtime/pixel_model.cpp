@@ -57,8 +57,9 @@ PixelFactors pixelFactors(const asset::Material& m, const asset::MaterialExtensi
   const double scattered = (1.0 - coat) * underSheen * kd * (1.0 - metallic) * (1.0 - double(x.transmission));
   f.diffuse = scattered * (1.0 - double(x.diffuseTransmission)) * baseColor;
   f.transmitted = scattered * double(x.diffuseTransmission) * toDvec3(x.diffuseTransmissionColor);
-  f.glossy = (1.0 - coat) * (underSheen * (reflected + through) + sheenColor * sheenAlbedo) +
-             coat * (coatAb.x + coatAb.y);
+  f.base = (1.0 - coat) * underSheen * reflected;
+  f.coat = dvec3(coat * (coatAb.x + coatAb.y));
+  f.glossy = (1.0 - coat) * (underSheen * through + sheenColor * sheenAlbedo) + f.base + f.coat;
   f.emission = (1.0 - coat) * toDvec3(x.emissive);
   return f;
 }

@@ -9,6 +9,7 @@ namespace boxlight {
 /// docs/theory.md, section 7, written down once more, in double precision and for values without textures.
 struct PixelFactors {
   dvec3 diffuse{0.0}, transmitted{0.0}, glossy{0.0}, emission{0.0};
+  dvec3 base{0.0}, coat{0.0};  ///< parts of `glossy`: what microfacets reflect
 };
 
 /// `nDotV`, `coatNDotV`: of the shading normal and of the coat's normal, on the seen side.

@@ -78,6 +78,28 @@ Finish varnish(float roughness) {
   return finish;
 }
 
+/// Two lobes of the pixel's own, one over the other.
+Finish coated(float roughness) {
+  Finish finish = metal(roughness);
+  finish.extension.clearcoat = 0.8f;
+  finish.extension.clearcoatRoughness = 0.3f;
+  return finish;
+}
+
+/// Beside the pixel's lobe there is one that kernels hold whole.
+Finish velvet() {
+  Finish finish = varnish(0.3f);
+  finish.extension.sheenColor[0] = finish.extension.sheenColor[1] = 0.5f;
+  finish.extension.sheenRoughness = 0.4f;
+  return finish;
+}
+
+Finish frosted() {
+  Finish finish = varnish(0.5f);
+  finish.extension.transmission = 0.7f;
+  return finish;
+}
+
 class SplitTest : public GpuTest {
  protected:
   void SetUp() override {
@@ -149,6 +171,16 @@ class SplitTest : public GpuTest {
     return lobe;
   }
 
+  static GgxLobe coatOf(const Finish& finish, vec3 view) {
+    GgxLobe lobe;
+    lobe.normal = {0, 1, 0};
+    lobe.view = view;
+    lobe.tangent = lobeTangent(lobe.normal, view);
+    lobe.bitangent = glm::cross(lobe.normal, lobe.tangent);
+    lobe.alpha = vec2(finish.extension.clearcoatRoughness * finish.extension.clearcoatRoughness);
+    return lobe;
+  }
+
   /// `part`: of the filter, what split records have.
   FilteredVisibility mapsAround(const std::vector<VisibilityMap>& maps, vec3 point, double& part) const {
     const vec2 at = 0.5f * (vec2(point.x, point.z) + 1.0f) * float(kEdge) - 0.5f;
@@ -166,6 +198,26 @@ class SplitTest : public GpuTest {
     }
     for (float& weight : filtered.weight) weight /= float(part);
     return filtered;
+  }
+
+  /// Of all lobes, those of the pixel's own behind the maps.
+  dvec3 gloss(const Finish& finish, vec3 view, const FilteredVisibility& around, const SummedArea& lights,
+              dvec3 stored, double storedPart) const {
+    PixelFactors f = pixelFactors(finish.material, finish.extension, double(view.y), double(view.y));
+    dvec3 total = f.glossy - f.base - f.coat, direct(0.0);
+    if (finish.extension.anisotropy > 0) f.base = dvec3(lobeAlbedo(lobeOf(finish, view)));
+    double hidden = double(luminance(Rgb(total)));
+    const auto add = [&](const GgxLobe& lobe, dvec3 factor) {
+      const ClippedLobe clipped = clipLobe(lobeBoxes(lobe), around);
+      for (const auto& [rectangle, energy] : clipped.pieces)
+        direct += factor * energy * lights.integrate(rectangle) / rectangle.solidAngle();
+      hidden += double(luminance(Rgb(factor))) * clipped.hidden;
+      total += factor;
+    };
+    add(lobeOf(finish, view), f.base);
+    if (finish.extension.clearcoat > 0) add(coatOf(finish, view), f.coat);
+    const double part = hidden / double(luminance(Rgb(total)));
+    return total * splitRadiance(direct / total, part, stored, storedPart);
   }
 
   /// Root of the mean square of the relative difference between the picture and lobe_clip.h.
@@ -186,21 +238,32 @@ class SplitTest : public GpuTest {
         const auto point = hit(x, y);
         if (!point) continue;
         const vec3 view = glm::normalize(settings_.camera.eye - *point);
-        const auto lobe = lobeBoxes(lobeOf(finish, view));
         double part = 0;
-        const ClippedLobe clipped = clipLobe(lobe, mapsAround(maps, *point, part));
-        dvec3 direct(0.0);
-        for (const auto& [rectangle, energy] : clipped.pieces)
-          direct += energy * lights.integrate(rectangle) / rectangle.solidAngle();
-        dvec3 factor = pixelFactors(finish.material, finish.extension, double(view.y), double(view.y)).glossy;
-        if (finish.extension.anisotropy > 0) factor = dvec3(lobeAlbedo(lobeOf(finish, view)));
-        const dvec3 exact = part * factor * splitRadiance(direct, clipped.hidden, stored, double(hiddenPart));
+        const FilteredVisibility around = mapsAround(maps, *point, part);
+        const dvec3 exact = part * gloss(finish, view, around, lights, stored, double(hiddenPart));
         const float* pixel = renderer.picture().at(x, y);
         sum += std::pow(glm::length(dvec3(pixel[0], pixel[1], pixel[2]) - exact) / glm::length(exact), 2);
         ++count;
       }
     EXPECT_GT(count, 400);
     return std::sqrt(sum / count);
+  }
+
+  void expectConstant(const Finish& finish, float hiddenPart) {
+    use(finish);
+    const Rgb light(1, 2, 3);
+    gpu::FrameRenderer renderer(*device_, write(hiddenPart, Rgb(1)), constantEnvironment({64, 32}, light),
+                                settings_);
+    for (uint32_t y = 0; y < settings_.camera.size.y; ++y)
+      for (uint32_t x = 0; x < settings_.camera.size.x; ++x) {
+        const auto point = hit(x, y);
+        if (!point) continue;
+        const double cosine = double(glm::normalize(settings_.camera.eye - *point).y);
+        const dvec3 exact =
+            pixelFactors(finish.material, finish.extension, cosine, cosine).glossy * dvec3(light);
+        for (int c = 0; c < 3; ++c)
+          ASSERT_NEAR(renderer.picture().at(x, y)[c], exact[c], 5e-4 * exact[c]) << x << ' ' << y;
+      }
   }
 
   gpu::FrameSettings settings_;
@@ -222,26 +285,20 @@ TEST_F(SplitTest, MapsClipTheLobeAndKernelsFillTheRest) {
     EXPECT_LT(compare(finish, 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2) << finish.material.roughness;
 }
 
+TEST_F(SplitTest, CoatsAreLobesOfTheirOwnAndOthersComeFromKernels) {
+  square_.visibility = spottedMap;
+  for (const Finish& finish : {coated(0.5f), velvet(), frosted()})
+    EXPECT_LT(compare(finish, 0.4f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2) << finish.material.roughness;
+}
+
 TEST_F(SplitTest, AConstantLightIsConstantWhateverIsHidden) {
   square_.visibility = spottedMap;
-  const Rgb light(1, 2, 3);
-  for (const float hiddenPart : {0.0f, 0.25f}) {
-    Finish finish = metal(0.5f);  // grey: what is hidden is one number for all colours
-    finish.material.baseColor[0] = finish.material.baseColor[1] = finish.material.baseColor[2] = 0.8f;
-    use(finish);
-    gpu::FrameRenderer renderer(*device_, write(hiddenPart, Rgb(1)), constantEnvironment({64, 32}, light),
-                                settings_);
-    for (uint32_t y = 0; y < settings_.camera.size.y; ++y)
-      for (uint32_t x = 0; x < settings_.camera.size.x; ++x) {
-        const auto point = hit(x, y);
-        if (!point) continue;
-        const double cosine = double(glm::normalize(settings_.camera.eye - *point).y);
-        const dvec3 exact =
-            pixelFactors(finish.material, finish.extension, cosine, cosine).glossy * dvec3(light);
-        for (int c = 0; c < 3; ++c)
-          ASSERT_NEAR(renderer.picture().at(x, y)[c], exact[c], 5e-4 * exact[c]) << x << ' ' << y;
-      }
-  }
+  for (Finish finish : {metal(0.5f), coated(0.4f), frosted()})
+    for (const float hiddenPart : {0.0f, 0.25f}) {
+      // Grey: what is hidden is one number for all colours.
+      std::fill_n(finish.material.baseColor, 3, 0.8f);
+      expectConstant(finish, hiddenPart);
+    }
 }
 
 TEST_F(SplitTest, BesideWholeLobesSplitOnesHaveTheirPart) {

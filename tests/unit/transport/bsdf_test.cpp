@@ -119,3 +119,25 @@ TEST(Bsdf, SpecularZeroIsPureLambert) {
   EXPECT_FALSE(bsdf.has(kViewDependent));
   EXPECT_NEAR(bsdf.evaluate(direction(0.7f)).value.x, 0.9f * 0.7f / kPi, 1e-6f);
 }
+
+// A coat whose normal leans away from the surface's reflects into the surface what its albedo counts all the
+// same.
+TEST(Bsdf, WhatACoatReflectsIntoTheSurfaceIsTold) {
+  MaterialSample m = makeMaterial(0, 0.5f, 0);
+  m.baseColor = Rgb(0);
+  m.clearcoat = 1;
+  m.clearcoatRoughness = 0.5f;
+  const Bsdf bsdf(m, direction(0.2f, 0), {}, glm::normalize(vec3(-0.4f, 0, 1)));
+  double kept = 0, lost = 0;
+  constexpr uint32_t kSamples = 1u << 16;
+  for (uint32_t s = 0; s < kSamples; ++s) {
+    Sampler sampler({18, 0, 0}, s);
+    const LobeSample drawn = bsdf.sample(0, sampler.next2(), kViewDependent);
+    lost += double(drawn.lost.x) / kSamples;
+    if (drawn.wi == vec3(0.0f)) continue;
+    const LobeValue value = bsdf.evaluate(drawn.wi, kViewDependent);
+    kept += double(value.value.x / value.density) / kSamples;
+  }
+  EXPECT_GT(lost, 0.1 * kept);
+  EXPECT_NEAR((kept + lost) / double(bsdf.viewDependentAlbedo().x), 1, 5e-3);
+}

@@ -61,6 +61,30 @@ TEST(Paths, GlossyKernelsAreDividedByTheirAlbedo) {
   }
 }
 
+TEST(Paths, WhatIsNotMirroredStraightIsTheHiddenPart) {
+  OneTexel texel(test::metal(0.4f));
+  test::makeExtensions(texel.scene);
+  asset::MaterialExtension& velvet = texel.scene.materialExtensions[0];
+  std::fill_n(velvet.sheenColor, 3, 0.5f);
+  velvet.sheenRoughness = 0.3f;
+  test::addQuad(texel.scene, {-1, 0, 4000}, {0, 0, -8000}, {0, 4000, 0}, vec2(2), vec2(3));  // a wall
+  texel.map = makeTexels(texel.scene, 1, 1);
+  texel.map.texels[0].pieceCount = 2;  // the quad's own pieces
+  const Intersector world(texel.scene);
+  KernelPaths paths;
+  PathTracer(world, {}).traceGlossy(texel.origin(), glm::normalize(vec3(0.1f, 1, 0)), {1, 0, 0}, 4096, paths);
+  double mirrored = 0;
+  for (const Deposit& d : paths.deposits) mirrored += double(luminance(d.mirrored)) / paths.traced;
+  const double all = double(luminance(meanThroughput(paths)));
+  EXPECT_GT(mirrored, 0.1);
+  EXPECT_GT(paths.hiddenPart(), 0.3f);
+  EXPECT_NEAR(mirrored + double(paths.hiddenPart()), 1, 1e-2);
+  const size_t count = paths.deposits.size();
+  paths.removeMirrored();
+  EXPECT_EQ(paths.deposits.size(), count);  // sheen leaves something of every one
+  EXPECT_NEAR(double(luminance(meanThroughput(paths))), all - mirrored, 1e-5);
+}
+
 TEST(Paths, AnInfiniteWhiteWallBouncesWhatItBlocks) {
   OneTexel texel(test::lambert());
   test::addQuad(texel.scene, {-1, 0, 4000}, {0, 0, -8000}, {0, 4000, 0}, vec2(2), vec2(3));
