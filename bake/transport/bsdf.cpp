@@ -101,8 +101,8 @@ LobeSample Bsdf::sample(float choice, vec2 random, uint32_t lobes) const {
       continue;
     }
     LobeSample drawn = sampleLobe(i, std::clamp(left / probability_[i], 0.0f, 0x1.fffffep-1f), random);
-    drawn.weight *= weight_[i] * (total / probability_[i]);
-    drawn.lost *= weight_[i] * (total / probability_[i]);
+    if (drawn.delta) drawn.weight *= weight_[i] * (total / probability_[i]);
+    if (drawn.lost != Rgb(0.0f)) drawn.lost *= weight_[i] / probability_[i] * total;
     return drawn;
   }
   return {};
