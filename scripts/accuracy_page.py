@@ -58,10 +58,10 @@ def bases(rows, paths):
 def between(rows):
     gloss = CLASSES[1:]
     place = rows.where(place="between")
-    lines = [[name, *place.where(method=name).cells(gloss)] for name in ("deposits", "direct fit")]
+    lines = [[name, *place.where(method=name).cells(gloss)] for name in ("deposits", "direct fit", "split")]
     sketch = place.where(method="sketch")
     for terms in sketch.values("terms"):
-        for method in ("sketch", "sketch, literal weights", "three views blended"):
+        for method in ("sketch", "sketch, literal weights", "three views blended", "mirror"):
             lines.append([f"{method}, {terms}", *place.where(method=method, terms=terms).cells(gloss)])
     return table(["scheme, boxes", *gloss], lines)
 
@@ -74,6 +74,7 @@ def by_scene(rows):
             ("at views", own.where(place="views", method="boxes", terms=8, paths=1024)),
             ("between, direct fit", own.where(place="between", method="direct fit")),
             ("between, sketch", own.where(place="between", method="sketch", terms=8)),
+            ("between, split", own.where(place="between", method="split")),
         ):
             lines.append([scene, label, *found.cells(CLASSES)])
     return table(["scene", "8 boxes, 1024 paths", *CLASSES], lines)

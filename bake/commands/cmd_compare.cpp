@@ -28,6 +28,7 @@ void printText(const ImageMetrics& m) {
   fmt::print("relMSE        {:.6g}\n", m.relMse);
   fmt::print("PSNR          {:.2f} dB\n", m.psnr);
   fmt::print("8-bit RMSE    {:.4g} steps (clamped, sRGB)\n", m.rmse8);
+  fmt::print("mean FLIP     {:.4f} (perceived difference at 67 pixels a degree, 0 to 1)\n", m.flip);
   if (m.byAlpha) fmt::print("alpha RMSE    {:.4g} (coverage, all pixels)\n", m.alphaRmse);
   fmt::print("mean          {:.6g}, reference {:.6g}, bias {:+.4g} %\n", m.mean, m.referenceMean,
              100.0 * m.bias);
@@ -49,6 +50,7 @@ void printJson(const CompareOptions& options, const ImageMetrics& m) {
                                        {"rel_mse", m.relMse},
                                        {"psnr_db", finite(m.psnr)},
                                        {"rmse_8bit", m.rmse8},
+                                       {"flip", m.flip},
                                        {"alpha_rmse", finite(m.alphaRmse)},
                                        {"mean", m.mean},
                                        {"reference_mean", m.referenceMean},

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/base/error.h"
+#include "common/image/flip.h"
 
 namespace boxlight {
 namespace {
@@ -64,6 +65,15 @@ double alphaRmse(const Image& image, const Image& reference) {
 
 double sumOf(dvec3 v) { return v.x + v.y + v.z; }
 
+double meanFlip(const Image& image, const Image& reference) {
+  const std::vector<double> errors = flipMap(image, reference);
+  double sum = 0, count = 0;
+  for (uint32_t y = 0; y < reference.height; ++y)
+    for (uint32_t x = 0; x < reference.width; ++x)
+      if (isMeasured(reference, x, y)) sum += errors[size_t(y) * reference.width + x], ++count;
+  return sum / count;
+}
+
 }  // namespace
 
 ImageMetrics compareImages(const Image& image, const Image& reference) {
@@ -93,6 +103,7 @@ ImageMetrics compareImages(const Image& image, const Image& reference) {
   m.rmse8 = std::sqrt(squares8 / count);
   m.psnr = 20.0 * std::log10(255.0 / m.rmse8);
   m.alphaRmse = alphaRmse(image, reference);
+  m.flip = meanFlip(image, reference);
   m.mean = sum / count;
   m.referenceMean = referenceSum / count;
   m.bias = referenceSum != 0.0 ? (sum - referenceSum) / referenceSum : (sum == 0.0 ? 0.0 : INFINITY);

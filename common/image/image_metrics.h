@@ -16,6 +16,7 @@ struct ImageMetrics {
   double trimmedRmse = 0;  ///< rmse without the worst .1 % of the pixels (rounded down)
   double rmse8 = 0;  ///< rmse in 8-bit steps: both clamped to [0,1], sRGB-encoded, times 255 (not rounded)
   double psnr = 0;   ///< dB, 20 log10(255 / rmse8); infinite if equal
+  double flip = 0;   ///< mean of flipMap (flip.h) over the measured pixels, 0 to 1
   double bias = 0;   ///< mean(x - r) / mean(r); 0 if both are black
   double alphaRmse = 0;  ///< of coverage, over all pixels; an image without alpha covers everything
   double mean = 0, referenceMean = 0;

@@ -2,6 +2,7 @@
 #include <tbb/parallel_for.h>
 
 #include "bake/kernels/scene_bake.h"
+#include "common/light/light_domain.h"
 #include "common/light/lobe_boxes.h"
 #include "common/light/relight.h"
 #include "tests/bench/accuracy/split_scheme.h"
@@ -48,6 +49,7 @@ class Schemes {
     add("sketch", interpolated(record, direction, Interpolation::energy), sample);
     add("sketch, literal weights", interpolated(record, direction, Interpolation::weight), sample);
     add("three views blended", blended(record, direction), sample);
+    add("mirror", mirrored(record, direction), sample);
   }
 
  private:
@@ -77,6 +79,30 @@ class Schemes {
       const Radiances corner =
           interpolated(record, sphere_.directions()[blend.view[k]], Interpolation::energy);
       for (size_t l = 0; l < value.size(); ++l) value[l] += double(blend.weight[k]) * corner[l];
+    }
+    return value;
+  }
+
+  /// The boxes of each of the three views, moved as far as the mirror direction moves from that view to this
+  /// one, relit and blended.
+  Radiances mirrored(uint32_t record, vec3 direction) {
+    Radiances value(lights_.size(), dvec3(0.0));
+    const auto& n = baked_.scene.asset.records[record].normal;
+    const vec3 normal(n[0], n[1], n[2]);
+    const auto mirrorOf = [&](vec3 view) {
+      return directionToUv(glm::reflect(-raiseAboveHorizon(view, normal), normal));
+    };
+    const ViewBlend blend = sphere_.locate(direction);
+    for (int k = 0; k < 3; ++k) {
+      const vec2 moved = mirrorOf(direction) - mirrorOf(sphere_.directions()[blend.view[k]]);
+      for (const PackedBox& packed : relighter_.kernel(blend.view[k], record)) {
+        Rectangle place = rectangleOf(unpackBox(packed));
+        place.u0 += double(moved.x) - std::floor(place.u0 + double(moved.x));
+        place.v0 = std::clamp(place.v0 + double(moved.y), 0.0, 1.0 - place.dv);
+        const dvec3 energy = double(blend.weight[k]) * dvec3(unpackBox(packed).energy);
+        for (size_t l = 0; l < value.size(); ++l)
+          value[l] += energy * lights_[l].area.integrate(place) / place.solidAngle();
+      }
     }
     return value;
   }
