@@ -23,12 +23,13 @@ struct Rectangle {
 /// ggx.cpp: stretchedLength.
 float stretchedLength(vec3 w, vec2 alpha) { return length(vec3(alpha * w.xy, w.z)); }
 
-/// ggx.h: sampleVisibleNormal; `at` is a sample in the tables.
-vec3 sampleVisibleNormal(vec3 view, vec2 alpha, uint at) {
+/// ggx.h: sampleVisibleNormal. `around`: the point of the unit circle that the first random number turns to; `left`: 1 less the
+/// second.
+vec3 sampleVisibleNormal(vec3 view, vec2 alpha, vec2 around, float left) {
   vec3 stretched = normalize(vec3(alpha * view.xy, view.z));
-  float height = tables[at + 2] * (1.0 + stretched.z), z = height - stretched.z;
+  float height = left * (1.0 + stretched.z), z = height - stretched.z;
   float ring = sqrt(clamp(1.0 - z * z, 0.0, 1.0));
-  vec2 tangential = ring * vec2(tables[at], tables[at + 1]) + stretched.xy;
+  vec2 tangential = ring * around + stretched.xy;
   return normalize(vec3(alpha * tangential, height));
 }
 
@@ -39,6 +40,20 @@ vec3 reflectionWeight(GgxLobe lobe, vec3 light, vec3 halfVector) {
                     (light.z * view + lobe.view.z * stretchedLength(light, lobe.alpha));
   float grazing = clamp(1.0 - dot(lobe.view, halfVector), 0.0, 1.0), squared = grazing * grazing;
   return light.z > 0.0 ? shadowing * (lobe.f0 + (lobe.f90 - lobe.f0) * (squared * squared * grazing)) : vec3(0.0);
+}
+
+const uint kAlbedoSamples = 34, kAlbedoStep = 21;  // lobe_boxes.h
+
+/// lobe_boxes.h: lobeAlbedo, of those that are wanted.
+vec3 lobeAlbedo(GgxLobe lobe, bool wanted) {
+  vec3 sum = vec3(0.0);
+  for (uint i = wanted ? 0 : kAlbedoSamples; i < kAlbedoSamples; ++i) {
+    float turn = 2.0 * kPi / float(kAlbedoSamples) * (float(i * kAlbedoStep % kAlbedoSamples) + 0.5);
+    float left = 1.0 - (float(i) + 0.5) / float(kAlbedoSamples);
+    vec3 halfVector = sampleVisibleNormal(lobe.view, lobe.alpha, vec2(cos(turn), sin(turn)), left);
+    sum += reflectionWeight(lobe, 2.0 * dot(lobe.view, halfVector) * halfVector - lobe.view, halfVector);
+  }
+  return sum / float(kAlbedoSamples);
 }
 
 /// A direction by its angles: cosine and sine of theta, and the point of the unit circle below it.
@@ -108,7 +123,8 @@ LobeBox lobeBox(GgxLobe lobe, uint j) {
   uint cells = lobe.alpha.x > kStripRatio * lobe.alpha.y ? kTableStripCells : kTableRoundCells, cell = cells + kLobeCellFloats * j;
   LobeMoments moments = LobeMoments(vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
   for (uint i = 0; i < kLobeSamples; ++i) {
-    vec3 halfVector = sampleVisibleNormal(lobe.view, lobe.alpha, cell + 2 + 3 * i);
+    uint at = cell + 2 + 3 * i;  // of the sample in the tables
+    vec3 halfVector = sampleVisibleNormal(lobe.view, lobe.alpha, vec2(tables[at], tables[at + 1]), tables[at + 2]);
     vec3 light = 2.0 * dot(lobe.view, halfVector) * halfVector - lobe.view;
     addDirection(moments, mirror, polar(lobe.frame * light, mirror.around), reflectionWeight(lobe, light, halfVector));
   }

@@ -66,7 +66,6 @@ Rectangle quarterOf(Rectangle whole, uint i) {
 struct ClippedLobe {
   vec3 radiance;
   float hidden;
-  vec3 albedo;  // lobe_boxes.h: lobeAlbedo
 };
 
 const float kLeastQuartered = 8.0;  // lobe_clip.cpp
@@ -105,7 +104,7 @@ ClippedLobe clipLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {
     addVisible(box, maps, radiance, direct);
   }
   all = max(all, 1e-30);
-  return ClippedLobe(radiance / all, clamp(1.0 - strength(direct / all), 0.0, 1.0), all);
+  return ClippedLobe(radiance / all, clamp(1.0 - strength(direct / all), 0.0, 1.0));
 }
 
 const float kUnseenHidden = 1.0 / 256.0;  // lobe_clip.h

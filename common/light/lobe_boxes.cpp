@@ -110,16 +110,32 @@ Box boxOf(const Moments& m, double spread) {
   return box;
 }
 
+vec3 localView(const GgxLobe& lobe) {
+  return {glm::dot(lobe.view, lobe.tangent), glm::dot(lobe.view, lobe.bitangent),
+          glm::dot(lobe.view, lobe.normal)};
+}
+
+struct Reflection {
+  vec3 light{0.0f};   ///< local; 0 if it is below the horizon
+  dvec3 energy{0.0};  ///< F G2 / G1
+};
+
+Reflection reflect(const GgxLobe& lobe, vec3 view, vec2 random) {
+  const vec3 half = ggx::sampleVisibleNormal(view, lobe.alpha, random);
+  const vec3 light = 2 * glm::dot(view, half) * half - view;
+  if (!(light.z > 0)) return {};
+  const float masking = ggx::masking(view, lobe.alpha);
+  const float weight = ggx::visibility(light, view, lobe.alpha) * 4 * light.z * view.z / masking;
+  const Rgb fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * ggx::schlickWeight(glm::dot(view, half));
+  return {light, dvec3(weight * fresnel)};
+}
+
 Moments momentsOf(const GgxLobe& lobe, vec3 view, const LobeCell& cell) {
   Moments moments;
-  const float masking = ggx::masking(view, lobe.alpha);
   for (const vec2 random : cell.random) {
-    const vec3 half = ggx::sampleVisibleNormal(view, lobe.alpha, random);
-    const vec3 light = 2 * glm::dot(view, half) * half - view;
+    const auto [light, energy] = reflect(lobe, view, random);
     if (!(light.z > 0)) continue;
-    const float weight = ggx::visibility(light, view, lobe.alpha) * 4 * light.z * view.z / masking;
-    const Rgb fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * ggx::schlickWeight(glm::dot(view, half));
-    moments.add(light.x * lobe.tangent + light.y * lobe.bitangent + light.z * lobe.normal, weight * fresnel);
+    moments.add(light.x * lobe.tangent + light.y * lobe.bitangent + light.z * lobe.normal, Rgb(energy));
   }
   return moments;
 }
@@ -162,8 +178,7 @@ struct Lobe {
 
 Lobe::Lobe(const GgxLobe& lobe)
     : cells(lobe.alpha.x > kStripRatio * lobe.alpha.y ? stripCells() : roundCells()) {
-  const vec3 view(glm::dot(lobe.view, lobe.tangent), glm::dot(lobe.view, lobe.bitangent),
-                  glm::dot(lobe.view, lobe.normal));
+  const vec3 view = localView(lobe);
   for (size_t j = 0; j < kLobeBoxes; ++j) {
     of[j] = momentsOf(lobe, view, cells[j]);
     albedo += energy(j);
@@ -183,6 +198,14 @@ std::array<Box, kLobeBoxes> lobeBoxes(const GgxLobe& lobe) {
   return boxes;
 }
 
-Rgb lobeAlbedo(const GgxLobe& lobe) { return Rgb(Lobe(lobe).albedo); }
+Rgb lobeAlbedo(const GgxLobe& lobe) {
+  dvec3 sum(0.0);
+  for (uint32_t i = 0; i < kAlbedoSamples; ++i) {
+    const vec2 random((float(i * kAlbedoStep % kAlbedoSamples) + 0.5f) / kAlbedoSamples,
+                      (float(i) + 0.5f) / kAlbedoSamples);
+    sum += reflect(lobe, localView(lobe), random).energy;
+  }
+  return Rgb(sum / double(kAlbedoSamples));
+}
 
 }  // namespace boxlight

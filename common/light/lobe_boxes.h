@@ -46,8 +46,12 @@ vec3 lobeTangent(vec3 normal, vec3 view);
 ///   F G2 / G1 times its cell's area.
 std::array<Box, kLobeBoxes> lobeBoxes(const GgxLobe& lobe);
 
-/// The lobe's directional albedo, Fresnel factor included, by the same directions: what the directional
-/// albedo of a pixel, which knows no anisotropy, is put right with.
+/// A lattice of points of the unit square, Fibonacci's.
+inline constexpr uint32_t kAlbedoSamples = 34, kAlbedoStep = 21;
+
+/// The lobe's directional albedo, Fresnel factor included: what the directional albedo of a pixel, which
+/// knows no anisotropy, is put right with. Within 5 %, 1.5 % root mean square over roughness, strength and
+/// view. (That of the boxes' own directions is up to 12 % too much where a view grazes along a streak.)
 Rgb lobeAlbedo(const GgxLobe& lobe);
 
 }  // namespace boxlight

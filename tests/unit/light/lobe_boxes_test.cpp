@@ -140,7 +140,7 @@ TEST(LobeBoxes, AlbedosAreAsExactAsTheDirections) {
       for (const vec2 alpha : {vec2(0.3f), vec2(0.05f), vec2(0.6f, 0.03f), vec2(0.3f, 0.1f)}) {
         GgxLobe lobe = lobeAt({0, 1, 0}, cosine, turn, alpha);
         lobe.f0 = Rgb(0.5f);
-        EXPECT_NEAR(double(lobeAlbedo(lobe).x), exactAlbedo(lobe), 0.055)
+        EXPECT_NEAR(double(lobeAlbedo(lobe).x), exactAlbedo(lobe), 0.02)
             << cosine << ' ' << turn << ' ' << alpha.x;
       }
 }
