@@ -21,8 +21,8 @@ AlbedoNode albedoNode(float roughness, float nDotV) {
 vec2 specularAlbedo(float roughness, float nDotV) {
   AlbedoNode node = albedoNode(roughness, nDotV);
   uint i = 2 * node.index, below = i + 2 * kAlbedoNodes;
-  vec2 top = mix(vec2(tables[i], tables[i + 1]), vec2(tables[i + 2], tables[i + 3]), node.fraction.x);
-  vec2 bottom = mix(vec2(tables[below], tables[below + 1]), vec2(tables[below + 2], tables[below + 3]), node.fraction.x);
+  vec2 top = mix(vec2(tableAt(i), tableAt(i + 1)), vec2(tableAt(i + 2), tableAt(i + 3)), node.fraction.x);
+  vec2 bottom = mix(vec2(tableAt(below), tableAt(below + 1)), vec2(tableAt(below + 2), tableAt(below + 3)), node.fraction.x);
   return mix(top, bottom, node.fraction.y);
 }
 
@@ -30,14 +30,14 @@ vec2 specularAlbedo(float roughness, float nDotV) {
 float diffuseFresnel(float nDotV) {
   float at = sqrt(clamp(nDotV, 0.0, 1.0)) * float(kAlbedoNodes - 1);
   uint i = uint(min(at, float(kAlbedoNodes - 2)));
-  return mix(tables[kTableFresnel + i], tables[kTableFresnel + i + 1], at - float(i));
+  return mix(tableAt(kTableFresnel + i), tableAt(kTableFresnel + i + 1), at - float(i));
 }
 
 /// sheen.h: albedo.
 float sheenAlbedo(float roughness, float nDotV) {
   AlbedoNode node = albedoNode(roughness, nDotV);
   uint i = kTableSheen + node.index, below = i + kAlbedoNodes;
-  float top = mix(tables[i], tables[i + 1], node.fraction.x), bottom = mix(tables[below], tables[below + 1], node.fraction.x);
+  float top = mix(tableAt(i), tableAt(i + 1), node.fraction.x), bottom = mix(tableAt(below), tableAt(below + 1), node.fraction.x);
   return mix(top, bottom, node.fraction.y);
 }
 

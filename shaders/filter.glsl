@@ -38,9 +38,12 @@ vec3 diffuseChange(uint r, vec3 normal) {
 void addSplit(uint r, float weight, inout FilteredRadiance sum) {
   sum.split += weight;
   sum.hidden += weight * shaded[kShadedRadiances * r + 1];
-  sum.maps.map[sum.maps.count] = visibilityMaps[r];
+  if (weight <= 0.0) return;
+  uint blocks = mapAt(r);
+  for (int i = 0; i < kMapBlockWords; ++i) sum.maps.hiddenBlocks[i] |= mapAt(blocks + i);
+  sum.maps.map[sum.maps.count] = blocks + kMapBlockWords;
   sum.maps.weight[sum.maps.count] = weight;
-  if (weight > 0.0) ++sum.maps.count;
+  ++sum.maps.count;
 }
 
 /// Weights, which are sums, to means.
@@ -63,6 +66,7 @@ FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy, Bend bend) {
   sum.split = 0.0;
   sum.hidden = vec4(0.0);
   sum.maps.count = 0;
+  sum.maps.hiddenBlocks = uvec4(0);
   float total = 0.0;
   for (int k = 0; k < 4; ++k) {
     uint r = corners.record[k];

@@ -6,6 +6,11 @@
 
 layout(std430, binding = kBindFrame) readonly buffer Frame { FrameConstants frame; };
 layout(std430, binding = kBindTables) readonly buffer Tables { float tables[]; };
+layout(binding = kBindTableTexels) uniform samplerBuffer tableTexels;
+
+layout(constant_id = kConstantTexelBuffers) const bool kTexelBuffers = true;
+
+float tableAt(uint i) { return kTexelBuffers ? texelFetch(tableTexels, int(i)).x : tables[i]; }
 
 const float kPi = 3.14159265358979;
 

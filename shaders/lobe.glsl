@@ -124,12 +124,12 @@ LobeBox lobeBox(GgxLobe lobe, uint j) {
   LobeMoments moments = LobeMoments(vec3(0.0), 0.0, 0.0, 0.0, 0.0, 0.0);
   for (uint i = 0; i < kLobeSamples; ++i) {
     uint at = cell + 2 + 3 * i;  // of the sample in the tables
-    vec3 halfVector = sampleVisibleNormal(lobe.view, lobe.alpha, vec2(tables[at], tables[at + 1]), tables[at + 2]);
+    vec3 halfVector = sampleVisibleNormal(lobe.view, lobe.alpha, vec2(tableAt(at), tableAt(at + 1)), tableAt(at + 2));
     vec3 light = 2.0 * dot(lobe.view, halfVector) * halfVector - lobe.view;
     addDirection(moments, mirror, polar(lobe.frame * light, mirror.around), reflectionWeight(lobe, light, halfVector));
   }
   if (!(moments.weight > 0.0)) return LobeBox(Rectangle(0.0, 1.0, Latitudes(0.0, 1.0, 0.0)), vec3(0.0));
-  return LobeBox(lobeRectangle(moments, mirror, tables[cell + 1]), moments.energy * tables[cell] / float(kLobeSamples));
+  return LobeBox(lobeRectangle(moments, mirror, tableAt(cell + 1)), moments.energy * tableAt(cell) / float(kLobeSamples));
 }
 
 #endif

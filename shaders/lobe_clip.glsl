@@ -8,8 +8,9 @@
 /// The maps around a pixel; their weights sum to 1.
 struct FilteredMaps {
   uint count;
-  uint map[4];
+  uint map[4];  // of the rows
   float weight[4];
+  uvec4 hiddenBlocks;  // of any of them
 };
 
 /// Of the cells that a rectangle touches in any of the maps: is one hidden, is one visible?
@@ -20,13 +21,14 @@ struct Mixture {
 Mixture lookAt(Rectangle rectangle, FilteredMaps maps) {
   Columns columns = mapColumns(rectangle);
   Rows rows = mapRows(rectangle);
+  if ((blocksOf(columns, rows) & maps.hiddenBlocks) == uvec4(0)) return Mixture(false, true);
   Mixture mixture = Mixture(false, false);
   for (int y = rows.first; y < rows.end && !(mixture.anyHidden && mixture.anyVisible); y += rows.step)
     for (int at = 0; at < columns.count;) {
       int x = (columns.first + at) & (kMapColumns - 1), taken = min(32 - x % 32, columns.count - at);
       uint mask = (~0u >> (32 - taken)) << (x % 32), word = mapWord(y, rows, x);
       for (uint k = 0; k < maps.count; ++k) {
-        uint bits = visibilityMaps[maps.map[k] + word] & mask;
+        uint bits = mapAt(maps.map[k] + word) & mask;
         mixture.anyHidden = mixture.anyHidden || bits != mask;
         mixture.anyVisible = mixture.anyVisible || bits != 0;
       }

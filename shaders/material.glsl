@@ -6,6 +6,7 @@
 #include "texture.glsl"
 
 layout(constant_id = kConstantTransformed) const bool kTransformed = true;
+layout(constant_id = kConstantSplit) const bool kSplit = true;
 
 /// asset::TextureRef: `place` is the set of texture coordinates and, shifted by 16, the transform + 1.
 struct TextureRef {

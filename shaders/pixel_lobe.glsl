@@ -6,8 +6,6 @@
 #include "horizon.glsl"
 #include "lobe.glsl"
 
-layout(constant_id = kConstantSplit) const bool kSplit = true;
-
 const float kLeastAlpha = 1e-4;    // ggx.h: kMinAlpha
 const float kLeastTangent = 1e-4;  // of an anisotropy's direction in the plane of the normal
 

@@ -49,6 +49,10 @@ SHARED_CONSTANT kBindLayerDepths = 30;         // floats[2][sample]: of the opaq
 SHARED_CONSTANT kBindVisibilityMaps = 31;      // by record the place of its map or kAbsent, then maps
 SHARED_CONSTANT kBufferBindings = 32;
 SHARED_CONSTANT kBindVisibility = 32;  // r32ui image: triangle + 1, or 0
+// What shading reads most, once more as texel buffers, which lavapipe reads in a third of the time.
+SHARED_CONSTANT kBindTableTexels = 33;  // kBindTables
+SHARED_CONSTANT kBindLightTexels = 34;  // kBindSummedArea
+SHARED_CONSTANT kBindMapTexels = 35;    // kBindVisibilityMaps
 
 // Specialisation constants of every shader that looks at surfaces: what an asset does not have is not
 // compiled in.
@@ -67,6 +71,7 @@ SHARED_CONSTANT kConstantLayers = 11;        // blended layers at most, 0 withou
 SHARED_CONSTANT kConstantNormalMapped = 12;  // any normal map of a base layer
 SHARED_CONSTANT kConstantSplit = 13;         // any asset::kSplitLobe
 SHARED_CONSTANT kSurfaceConstants = 14;
+SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
 // Fresnel factor [n.v], the linear values of the 256 sRGB codes, the cells of round lobes and of streaks
@@ -85,6 +90,7 @@ SHARED_CONSTANT kTableSheen = kTableStripCells + kLobeBoxes * kLobeCellFloats;
 // Shaded records: two vec4 of each, diffuse and glossy, whose a is the hidden part that it stands for where
 // the record's lobe is split; then, where anything has a normal map, three of each: how diffuse R, G and B
 // change with the normal.
+SHARED_CONSTANT kMapBlockWords = 4;  // of a visibility map: shaders/visibility_maps.glsl
 SHARED_CONSTANT kShadedRadiances = 2;
 SHARED_CONSTANT kShadedGradients = 3;
 

@@ -5,6 +5,7 @@
 #include "light_domain.glsl"
 
 layout(std430, binding = kBindSummedArea) readonly buffer SummedArea { uvec4 summedArea[]; };
+layout(binding = kBindLightTexels) uniform usamplerBuffer lightTexels;
 
 /// Three 42-bit numbers: low words, and high parts of which the lowest 10 bits count.
 struct Wide {
@@ -12,7 +13,7 @@ struct Wide {
 };
 
 Wide loadPrefix(uint index) {
-  uvec4 packed = summedArea[index];
+  uvec4 packed = kTexelBuffers ? texelFetch(lightTexels, int(index)) : summedArea[index];
   return Wide(packed.xyz, uvec3(packed.w, packed.w >> 10, packed.w >> 20));
 }
 

@@ -24,8 +24,8 @@ vec4 fetchTexel(TextureHeader header, TextureLevel level, ivec2 at) {
   uint x = uint(wrapIndex(at.x, int(level.width), header.wrapS)), y = uint(wrapIndex(at.y, int(level.height), header.wrapT));
   uint word = texels[level.firstTexel + y * level.width + x];
   if (header.srgb == 0) return unpackUnorm4x8(word);
-  return vec4(tables[kTableSrgb + (word & 255u)], tables[kTableSrgb + (word >> 8 & 255u)],
-              tables[kTableSrgb + (word >> 16 & 255u)], float(word >> 24) / 255.0);
+  return vec4(tableAt(kTableSrgb + (word & 255u)), tableAt(kTableSrgb + (word >> 8 & 255u)),
+              tableAt(kTableSrgb + (word >> 16 & 255u)), float(word >> 24) / 255.0);
 }
 
 vec4 sampleLevel(TextureHeader header, uint levelIndex, vec2 uv, bool nearest) {

@@ -4,10 +4,13 @@
 
 #include "lobe.glsl"
 
-// For each record the place of its map or kAbsent, then the maps.
+// For each record the place of its map or kAbsent, then the maps; before a map's rows the blocks that have hidden cells.
 layout(std430, binding = kBindVisibilityMaps) readonly buffer VisibilityMaps { uint visibilityMaps[]; };
+layout(binding = kBindMapTexels) uniform usamplerBuffer mapTexels;
 
-bool isSplit(uint record) { return visibilityMaps[record] != kAbsent; }
+uint mapAt(uint i) { return kTexelBuffers ? texelFetch(mapTexels, int(i)).x : visibilityMaps[i]; }
+
+bool isSplit(uint record) { return mapAt(record) != kAbsent; }
 
 const int kMapColumns = 128, kMapRows = 64, kMostMapRows = 8;
 
@@ -46,6 +49,22 @@ Rows mapRows(Rectangle rectangle) {
 /// In a map: the word of column x of the row that stands for those from y.
 uint mapWord(int y, Rows rows, int x) { return 4 * uint(min(y + rows.step / 2, kMapRows - 1)) + uint(x) / 32; }
 
+/// Blocks of 8 x 8 cells, 16 a row, two rows a word: quickly told apart from what is visible everywhere.
+const int kBlockCells = 8, kBlockColumns = kMapColumns / kBlockCells;
+
+/// A bit for every block that a rectangle's cells may lie in, those of skipped rows included.
+uvec4 blocksOf(Columns columns, Rows rows) {
+  int x = (columns.first & (kMapColumns - 1)) / kBlockCells;
+  int count = (columns.first % kBlockCells + columns.count - 1) / kBlockCells + 1;
+  uint ring = count >= kBlockColumns ? 0xffffu : ((1u << count) - 1) << x;
+  uint across = (ring | ring >> kBlockColumns) & 0xffffu;
+  int first = rows.first / kBlockCells, last = min(rows.end - 1 + rows.step, kMapRows - 1) / kBlockCells;
+  ivec4 even = ivec4(0, 2, 4, 6), odd = even + 1;
+  uvec4 down = uvec4(lessThanEqual(ivec4(first), even)) * uvec4(lessThanEqual(even, ivec4(last))) +
+               uvec4(lessThanEqual(ivec4(first), odd)) * uvec4(lessThanEqual(odd, ivec4(last))) * 0x10000u;
+  return across * down;
+}
+
 /// Of one row: cells visible, and the first and behind the last of them.
 struct Run {
   float width;
@@ -56,7 +75,7 @@ Run scanRow(uint row, Columns columns) {
   Run run = Run(0.0, kMapColumns + 1, 0);
   for (int at = 0; at < columns.count;) {
     int x = (columns.first + at) & (kMapColumns - 1), taken = min(32 - x % 32, columns.count - at);
-    uint bits = (visibilityMaps[row + uint(x) / 32] >> (x % 32)) & (~0u >> (32 - taken));
+    uint bits = (mapAt(row + uint(x) / 32) >> (x % 32)) & (~0u >> (32 - taken));
     if (bits != 0) {
       run.begin = min(run.begin, at + findLSB(bits));
       run.end = max(run.end, at + findMSB(bits) + 1);

@@ -56,10 +56,11 @@ Buffer::Buffer(const Device& device, const char* name, uint64_t size)
   const auto& native = device.native();
   translated(name, [&] {
     using Use = vk::BufferUsageFlagBits;
-    native_->buffer = vk::raii::Buffer(
-        native.device,
-        vk::BufferCreateInfo(
-            {}, size_, Use::eStorageBuffer | Use::eIndirectBuffer | Use::eTransferSrc | Use::eTransferDst));
+    native_->buffer =
+        vk::raii::Buffer(native.device, vk::BufferCreateInfo({}, size_,
+                                                             Use::eStorageBuffer | Use::eUniformTexelBuffer |
+                                                                 Use::eIndirectBuffer | Use::eTransferSrc |
+                                                                 Use::eTransferDst));
     native_->memory = native.allocate(native_->buffer.getMemoryRequirements(),
                                       vk::MemoryPropertyFlagBits::eDeviceLocal, {});
     native_->buffer.bindMemory(*native_->memory, 0);

@@ -127,6 +127,9 @@ std::vector<DeviceInfo> describeAll(const std::vector<vk::raii::PhysicalDevice>&
   return infos;
 }
 
+/// What the drivers of desktops have at least; elsewhere it may be 65536.
+constexpr uint32_t kLargeTexelBuffer = 1u << 27;
+
 DeviceLimits queryLimits(const vk::raii::PhysicalDevice& physical) {
   const auto limits = physical.getProperties().limits;
   DeviceLimits result;
@@ -138,6 +141,8 @@ DeviceLimits queryLimits(const vk::raii::PhysicalDevice& physical) {
       std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight,
                 limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]});
   result.maxWorkGroups = limits.maxComputeWorkGroupCount[0];
+  result.maxTexels = limits.maxTexelBufferElements;
+  result.texelBuffers = result.maxTexels >= kLargeTexelBuffer;
   return result;
 }
 
@@ -192,6 +197,7 @@ Device::Device(const DeviceOptions& options) {
     native_->info = infos[chosen];
     native_->physical = std::move(devices[chosen]);
     native_->limits = queryLimits(native_->physical);
+    native_->limits.texelBuffers &= options.texelBuffers;
     openQueue(*native_);
   });
 }

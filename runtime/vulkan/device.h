@@ -23,11 +23,14 @@ struct DeviceLimits {
   uint32_t maxStorageBuffers = 0;  ///< in one shader stage
   uint32_t maxImageSize = 0;       ///< of a colour attachment, each way
   uint32_t maxWorkGroups = 0;      ///< in x
+  uint32_t maxTexels = 0;          ///< of a texel buffer
+  bool texelBuffers = false;       ///< those are large enough to read light and visibility maps from
 };
 
 struct DeviceOptions {
-  std::string select;       ///< index or part of the name; empty takes the fastest kind
-  bool validation = false;  ///< load the Khronos validation layer, with synchronisation checks
+  std::string select;        ///< index or part of the name; empty takes the fastest kind
+  bool validation = false;   ///< load the Khronos validation layer, with synchronisation checks
+  bool texelBuffers = true;  ///< use them where they are large
 };
 
 /// Messages of the validation layer. It outlives the device, so that leaks found at its end are counted too.

@@ -80,6 +80,7 @@ struct Bindings::Native {
   vk::raii::PipelineLayout layout = nullptr;
   vk::raii::DescriptorPool pool = nullptr;
   vk::raii::DescriptorSet set = nullptr;
+  std::vector<vk::raii::BufferView> texels;
   std::vector<vk::DescriptorSetLayoutBinding> slots;
 };
 
@@ -99,13 +100,14 @@ struct RasterPipeline::Native {
   vk::raii::Pipeline pipeline = nullptr;
 };
 
-/// Specialisation constants 0, 1, ... of one shader stage; `values` must outlive the result.
+/// Specialisation constants 0, 1, ... of one shader stage and what the device says for itself.
 class Specialization {
  public:
-  explicit Specialization(std::span<const uint32_t> values);
+  Specialization(const Device& device, std::span<const uint32_t> values);
   const vk::SpecializationInfo* info() const { return &info_; }
 
  private:
+  std::vector<uint32_t> values_;
   std::vector<vk::SpecializationMapEntry> entries_;
   vk::SpecializationInfo info_;
 };

@@ -9,12 +9,27 @@ namespace {
 
 constexpr uint32_t kPushBytes = 128;  // every device has as much
 
+/// A storage buffer that is a texel buffer as well.
+struct TexelTwin {
+  uint32_t storage, texels;  // bindings
+  vk::Format format;
+  uint64_t texelBytes;
+};
+
+constexpr std::array<TexelTwin, 3> kTexelTwins = {
+    {{kBindTables, kBindTableTexels, vk::Format::eR32Sfloat, 4},
+     {kBindSummedArea, kBindLightTexels, vk::Format::eR32G32B32A32Uint, 16},
+     {kBindVisibilityMaps, kBindMapTexels, vk::Format::eR32Uint, 4}}};
+
 std::vector<vk::DescriptorSetLayoutBinding> makeSlots() {
   std::vector<vk::DescriptorSetLayoutBinding> slots;
   for (uint32_t binding = 0; binding < kBufferBindings; ++binding)
     slots.emplace_back(binding, vk::DescriptorType::eStorageBuffer, 1, vk::ShaderStageFlagBits::eAll);
   slots.emplace_back(kBindVisibility, vk::DescriptorType::eStorageImage, 1,
                      vk::ShaderStageFlagBits::eCompute);
+  for (const TexelTwin& twin : kTexelTwins)
+    slots.emplace_back(twin.texels, vk::DescriptorType::eUniformTexelBuffer, 1,
+                       vk::ShaderStageFlagBits::eAll);
   return slots;
 }
 
@@ -24,9 +39,10 @@ void makeSet(const vk::raii::Device& device, Bindings::Native& native) {
       vk::raii::DescriptorSetLayout(device, vk::DescriptorSetLayoutCreateInfo({}, native.slots));
   const vk::PushConstantRange push(vk::ShaderStageFlagBits::eAll, 0, kPushBytes);
   native.layout = vk::raii::PipelineLayout(device, vk::PipelineLayoutCreateInfo({}, *native.setLayout, push));
-  const std::array<vk::DescriptorPoolSize, 2> sizes = {
+  const std::array<vk::DescriptorPoolSize, 3> sizes = {
       vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, kBufferBindings),
-      vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 1)};
+      vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 1),
+      vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, uint32_t(kTexelTwins.size()))};
   native.pool =
       vk::raii::DescriptorPool(device, {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
   native.set = std::move(
@@ -36,11 +52,16 @@ void makeSet(const vk::raii::Device& device, Bindings::Native& native) {
 
 }  // namespace
 
-Specialization::Specialization(std::span<const uint32_t> values) {
-  for (uint32_t i = 0; i < values.size(); ++i)
-    entries_.emplace_back(i, uint32_t(i * sizeof(uint32_t)), sizeof(uint32_t));
-  info_ =
-      vk::SpecializationInfo(uint32_t(entries_.size()), entries_.data(), values.size_bytes(), values.data());
+Specialization::Specialization(const Device& device, std::span<const uint32_t> values)
+    : values_(values.begin(), values.end()) {
+  const auto add = [&](uint32_t id, size_t i) {
+    entries_.emplace_back(id, uint32_t(i * sizeof(uint32_t)), sizeof(uint32_t));
+  };
+  for (uint32_t i = 0; i < values.size(); ++i) add(i, i);
+  values_.push_back(device.limits().texelBuffers);
+  add(kConstantTexelBuffers, values.size());
+  info_ = vk::SpecializationInfo(uint32_t(entries_.size()), entries_.data(),
+                                 values_.size() * sizeof(uint32_t), values_.data());
 }
 
 vk::raii::ShaderModule loadShader(const Device::Native& native, std::span<const uint32_t> code) {
@@ -53,7 +74,9 @@ Bindings::Bindings(const Device& device)
     fail(ExitCode::runtime, "'{}' binds {} storage buffers at once; {} are needed", device.info().name,
          device.limits().maxStorageBuffers, kBufferBindings);
   translated("descriptors", [&] { makeSet(device.native().device, *native_); });
+  for (size_t twin = 0; twin < kTexelTwins.size(); ++twin) native_->texels.emplace_back(nullptr);
   for (uint32_t binding = 0; binding < kBufferBindings; ++binding) set(binding, empty_);
+  for (size_t twin = 0; twin < kTexelTwins.size(); ++twin) setTexels(twin, empty_);
 }
 
 Bindings::~Bindings() = default;
@@ -62,6 +85,23 @@ void Bindings::set(uint32_t binding, const Buffer& buffer) {
   const vk::DescriptorBufferInfo info(*buffer.native().buffer, 0, VK_WHOLE_SIZE);
   const vk::WriteDescriptorSet write(*native_->set, binding, 0, vk::DescriptorType::eStorageBuffer, {}, info);
   device_.native().device.updateDescriptorSets(write, {});
+  if (!device_.limits().texelBuffers) return;
+  for (size_t twin = 0; twin < kTexelTwins.size(); ++twin)
+    if (kTexelTwins[twin].storage == binding) setTexels(twin, buffer);
+}
+
+void Bindings::setTexels(size_t twin, const Buffer& buffer) {
+  const auto& native = device_.native();
+  const auto& [storage, binding, format, texelBytes] = kTexelTwins[twin];
+  if (buffer.size() / texelBytes > device_.limits().maxTexels)
+    fail(ExitCode::runtime, "buffer {} needs {} texels, but a texel buffer of '{}' holds {} at most", storage,
+         buffer.size() / texelBytes, device_.info().name, device_.limits().maxTexels);
+  const vk::BufferViewCreateInfo info({}, *buffer.native().buffer, format, 0, VK_WHOLE_SIZE);
+  translated("texel buffer", [&] { native_->texels[twin] = vk::raii::BufferView(native.device, info); });
+  const vk::BufferView view = *native_->texels[twin];
+  const vk::WriteDescriptorSet write(*native_->set, binding, 0, vk::DescriptorType::eUniformTexelBuffer, {},
+                                     {}, view);
+  native.device.updateDescriptorSets(write, {});
 }
 
 void Bindings::setVisibilityImage(const RasterTarget& target) {
@@ -76,7 +116,7 @@ ComputePipeline::ComputePipeline(const Device& device, const Bindings& bindings,
     : bindings_(&bindings), native_(std::make_unique<Native>()) {
   translated("compute pipeline", [&] {
     const auto shader = loadShader(device.native(), code);
-    const Specialization specialization(constants);
+    const Specialization specialization(device, constants);
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main",
                                                   specialization.info());
     native_->pipeline = vk::raii::Pipeline(

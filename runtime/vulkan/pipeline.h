@@ -11,14 +11,15 @@ namespace boxlight::gpu {
 
 class RasterTarget;
 
-/// The one set of resources that every shader sees, numbered in shaders/shared.h: storage buffers and the
-/// visibility image.
+/// The one set of resources that every shader sees, numbered in shaders/shared.h: storage buffers, the
+/// visibility image and, of some buffers, the same as texel buffers.
 class Bindings {
  public:
   explicit Bindings(const Device& device);
   ~Bindings();
 
-  /// Not while commands that use the set are recorded or run.
+  /// Not while commands that use the set are recorded or run. Where the device has large texel buffers, those
+  /// bindings that shaders/shared.h lists twice are set as both.
   void set(uint32_t binding, const Buffer& buffer);
   void setVisibilityImage(const RasterTarget& target);
 
@@ -26,6 +27,8 @@ class Bindings {
   const Native& native() const { return *native_; }
 
  private:
+  void setTexels(size_t twin, const Buffer& buffer);
+
   const Device& device_;
   std::unique_ptr<Native> native_;
   Buffer empty_;  // stands where nothing was set

@@ -87,7 +87,7 @@ RasterPipeline::RasterPipeline(const Device& device, const Bindings& bindings, c
   translated("visibility pipeline", [&] {
     const auto vertex = loadShader(device.native(), vertexCode),
                fragment = loadShader(device.native(), fragmentCode);
-    const Specialization specialization(constants);
+    const Specialization specialization(device, constants);
     using Stage = vk::ShaderStageFlagBits;
     const std::array<vk::PipelineShaderStageCreateInfo, 2> stages = {
         vk::PipelineShaderStageCreateInfo({}, Stage::eVertex, *vertex, "main", specialization.info()),

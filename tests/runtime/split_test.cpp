@@ -7,6 +7,7 @@
 #include "common/light/light_map.h"
 #include "common/light/lobe_boxes.h"
 #include "common/light/lobe_clip.h"
+#include "shaders/shared.h"
 #include "tests/runtime/pixel_model.h"
 #include "tests/runtime/synthetic.h"
 
@@ -307,6 +308,18 @@ TEST_F(SplitTest, BesideWholeLobesSplitOnesHaveTheirPart) {
   EXPECT_LT(compare(metal(0.4f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
 }
 
+TEST_F(SplitTest, SmallTexelBuffersLeaveThePictureAsItIs) {
+  square_.visibility = spottedMap;
+  use(coated(0.4f));
+  const auto reader = write(0.4f, Rgb(0.2f, 0.1f, 0.4f));
+  ASSERT_TRUE(device_->limits().texelBuffers);
+  const Image large = gpu::FrameRenderer(*device_, reader, skyEnvironment(), settings_).picture();
+  device_ = std::make_unique<gpu::Device>(gpu::DeviceOptions{"", true, false});
+  ASSERT_FALSE(device_->limits().texelBuffers);
+  const Image small = gpu::FrameRenderer(*device_, reader, skyEnvironment(), settings_).picture();
+  EXPECT_EQ(large.pixels, small.pixels);
+}
+
 TEST_F(SplitTest, ThePictureOfAnAssetWithoutSplitLobesNeedsNoMaps) {
   settings_.camera = cameraAbove(16);
   const auto whole = square_.write(file("whole.ptb"), [](uint32_t, uint32_t, uint32_t) {
@@ -315,8 +328,9 @@ TEST_F(SplitTest, ThePictureOfAnAssetWithoutSplitLobesNeedsNoMaps) {
   square_.visibility = [](uint32_t) { return openMap(); };
   gpu::FrameRenderer plain(*device_, whole, skyEnvironment(), settings_);
   gpu::FrameRenderer split(*device_, write(0.5f, Rgb(0)), skyEnvironment(), settings_);
-  EXPECT_EQ(split.counts().sceneBytes - plain.counts().sceneBytes,
-            kEdge * kEdge * (sizeof(uint32_t) + sizeof(VisibilityMap)));
+  EXPECT_EQ(
+      split.counts().sceneBytes - plain.counts().sceneBytes,
+      kEdge * kEdge * (sizeof(uint32_t) + gpu::kMapBlockWords * sizeof(uint32_t) + sizeof(VisibilityMap)));
 }
 
 }  // namespace
