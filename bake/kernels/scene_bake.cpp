@@ -98,6 +98,11 @@ asset::Scheme schemeOf(const std::vector<RecordPlan>& records) {
 
 }  // namespace
 
+uint32_t glossySlotsOf(const std::vector<RecordPlan>& records, uint32_t record,
+                       const KernelOptions& options) {
+  return makeTiles(records, options)[record / asset::kTileRecords].glossyBoxes;
+}
+
 BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& sphere,
                       const KernelOptions& options) {
   BakeCost cost{.records = records.size()};

@@ -24,6 +24,9 @@ struct BakeCost {
 BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& sphere,
                       const KernelOptions& options);
 
+/// Slots of the glossy kernels of a record's tile.
+uint32_t glossySlotsOf(const std::vector<RecordPlan>& records, uint32_t record, const KernelOptions& options);
+
 /// Bakes all records on all threads of the current TBB arena and packs them into tiles. The result does not
 /// depend on the threads. Throws Error(interrupted) after Ctrl-C.
 BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::vector<RecordPlan>& records,

@@ -10,6 +10,9 @@ namespace {
 constexpr uint32_t kBackStreams = 0x10000u;  ///< added to a stream's number on the back side of a texel
 constexpr uint32_t kMapStream = 0x8000u;     ///< apart from every view's
 
+/// The first of an origin's streams of random numbers.
+uint32_t streamsOf(const PathOrigin& origin) { return origin.back ? kBackStreams : 0u; }
+
 std::vector<PackedBox> pack(const std::vector<Box>& boxes, size_t count) {
   std::vector<PackedBox> packed(count);
   for (size_t j = 0; j < boxes.size(); ++j) packed[j] = packBox(boxes[j]);
@@ -39,11 +42,15 @@ std::vector<Box> TexelBaker::fit(BoxFitter& fitter, uint32_t boxes) const {
   return paths_.traced ? fitter.fit(paths_.deposits, paths_.traced, int(boxes)) : std::vector<Box>{};
 }
 
-void TexelBaker::bakeLambert(const PathOrigin& origin, uint32_t stream, RecordKernels& result) {
+void TexelBaker::traceLambert(const PathOrigin& origin, RecordKernels& result) {
   paths_.clear();
-  key_.stream = stream;
+  key_.stream = streamsOf(origin) + sphere_.viewCount();
   tracer_.traceLambert(origin, key_, options_.lambertPaths(), paths_);
   account(result);
+}
+
+void TexelBaker::bakeLambert(const PathOrigin& origin, RecordKernels& result) {
+  traceLambert(origin, result);
   const std::vector<Box> boxes = fit(lambertFitter_, options_.lambertBoxes());
   result.lambert.emission = paths_.emission();
   if (!boxes.empty() || maxComponent(result.lambert.emission) > 0.0f)
@@ -98,14 +105,29 @@ void TexelBaker::bakeSplit(const PathOrigin& origin, const GlossyKernels& kernel
   result.visibility = traceVisibility(world_, origin, key_);
 }
 
-RecordKernels TexelBaker::bake(const RecordPlan& plan, uint32_t glossySlots) {
-  const PathOrigin origin = plan.origin(world_, map_);
-  const uint32_t side = origin.back ? kBackStreams : 0u;
+PathOrigin TexelBaker::start(const RecordPlan& plan) {
   key_.texel = plan.record.atlasY * map_.width + plan.record.atlasX;
+  return plan.origin(world_, map_);
+}
+
+const KernelPaths& TexelBaker::retrace(const RecordPlan& plan, std::optional<uint32_t> view) {
+  const PathOrigin origin = start(plan);
+  RecordKernels known;
+  if (!view) {
+    traceLambert(origin, known);
+    return paths_;
+  }
+  traceView(origin, *view, {streamsOf(origin), options_.glossyPaths(plan.glossyLobes), 0}, known);
+  if (plan.isSplit()) paths_.removeMirrored();
+  return paths_;
+}
+
+RecordKernels TexelBaker::bake(const RecordPlan& plan, uint32_t glossySlots) {
+  const PathOrigin origin = start(plan);
   RecordKernels result;
-  if (plan.lambert) bakeLambert(origin, side + sphere_.viewCount(), result);
+  if (plan.lambert) bakeLambert(origin, result);
   if (!plan.glossy) return result;
-  const GlossyKernels kernels{side, options_.glossyPaths(plan.glossyLobes), glossySlots};
+  const GlossyKernels kernels{streamsOf(origin), options_.glossyPaths(plan.glossyLobes), glossySlots};
   if (plan.isSplit())
     bakeSplit(origin, kernels, result);
   else

@@ -64,8 +64,14 @@ class TexelBaker {
   /// agree in it.
   RecordKernels bake(const RecordPlan& plan, uint32_t glossySlots);
 
+  /// The paths that the record's kernel of a view, or without one its Lambert kernel, is fitted to. Valid
+  /// until the next call.
+  const KernelPaths& retrace(const RecordPlan& plan, std::optional<uint32_t> view);
+
  private:
-  void bakeLambert(const PathOrigin& origin, uint32_t stream, RecordKernels& result);
+  PathOrigin start(const RecordPlan& plan);
+  void traceLambert(const PathOrigin& origin, RecordKernels& result);
+  void bakeLambert(const PathOrigin& origin, RecordKernels& result);
   struct GlossyKernels {
     uint32_t firstStream, paths, slots;  // of each
   };
