@@ -2,6 +2,7 @@
 """docs/accuracy.md from what tests/bench/accuracy measured."""
 from pathlib import Path
 
+REFERENCE_PATHS = 1 << 17
 CLASSES = ["diffuse", "rough", "sharp"]
 TEXT = (Path(__file__).resolve().parent / "accuracy_page.md").read_text()
 
@@ -80,17 +81,20 @@ def by_scene(rows):
     return table(["scene", "8 boxes, 1024 paths", *CLASSES], lines)
 
 
-def page(result):
-    rows = Rows(result["rows"])
+def page(*results):
+    """`results`: what runs of the bench measured under the same lights."""
+    rows = Rows([row for result in results for row in result["rows"]])
     clean = max(rows.values("paths"))
     lights = {True: [], False: []}
-    for light in result["lights"]:
+    for light in results[0]["lights"]:
         lights[light["sun_lit"]].append(light["name"])
     fields = {
+        "reference": f"{REFERENCE_PATHS:,}",
         "soft": ", ".join(lights[False]),
         "sun_lit": ", ".join(lights[True]),
         "clean": str(clean),
-        "samples": str(max(rows.values("samples"))),
+        "samples": str(max(rows.where(place="views").values("samples"))),
+        "samples_between": str(max(rows.where(place="between").values("samples"))),
         "views": at_views(rows, 1024),
         "views_clean": at_views(rows, clean),
         "bases": bases(rows, 1024),
@@ -101,4 +105,5 @@ def page(result):
     text = TEXT
     for name, value in fields.items():
         text = text.replace("{{" + name + "}}", value)
+    assert "{{" not in text, text[text.index("{{") :][:30]
     return text
