@@ -35,6 +35,22 @@ bool isEmpty(Box box) { return all(equal(box.energy, vec3(0.0))); }
 
 vec3 boxWeight(Box box) { return box.energy / solidAngle(box.du, box.latitudes); }
 
+/// sin(2 pi x) and cos(2 pi x) for x in [-1/2, 1/2].
+vec2 sinCosTurn(float x) {
+  float half_turns = 2.0 * abs(x), s = sinPi(min(half_turns, 1.0 - half_turns));
+  return vec2(x < 0.0 ? -s : s, cosPi(half_turns));
+}
+
+/// The mean of shifts on the circle, in turns; 0 where they cancel out.
+float meanShift(vec3 shift, vec3 share) {
+  vec2 sum = share.x * sinCosTurn(shift.x) + share.y * sinCosTurn(shift.y) + share.z * sinCosTurn(shift.z);
+  if (sum == vec2(0.0)) return 0.0;
+  // An atan of 1e-5, as Mesa's, would be half of a sharp box; a step of Newton's mends it.
+  float mean = clamp(atan(sum.x, sum.y) / (2.0 * kPi), -0.5, 0.5);
+  vec2 at = sinCosTurn(mean);
+  return mean + (sum.x * at.y - sum.y * at.x) / (2.0 * kPi * length(sum));
+}
+
 /// relight.h: interpolateBoxes, whose energy becomes weights where `interpolateWeight` says so.
 Box interpolateBoxes(Box a, Box b, Box c, vec3 weight, bool interpolateWeight) {
   vec3 g = weight * vec3(!isEmpty(a), !isEmpty(b), !isEmpty(c));
@@ -49,11 +65,11 @@ Box interpolateBoxes(Box a, Box b, Box c, vec3 weight, bool interpolateWeight) {
 
   vec3 centres = vec3(a.u, b.u, c.u) + 0.5 * du;
   vec3 h = g * vec3(lessThan(du, vec3(1.0)));  // a full ring has no centre
-  float centred = h.x + h.y + h.z;
+  bool centred = h.x + h.y + h.z > 0.0;
   float reference = h.x > 0.0 ? centres.x : h.y > 0.0 ? centres.y : centres.z;
   vec3 shift = centres - reference;
   shift -= floor(shift + 0.5);
-  result.u = centred > 0.0 ? fract(reference + dot(h, shift) / centred - 0.5 * result.du) : 0.0;
+  result.u = centred ? fract(reference + meanShift(shift, h) - 0.5 * result.du) : 0.0;
 
   result.energy = interpolateWeight
                       ? weight.x * boxWeight(a) + weight.y * boxWeight(b) + weight.z * boxWeight(c)

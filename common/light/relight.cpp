@@ -16,19 +16,18 @@ bool hasEnergy(const Box& box) { return box.energy.x > 0.0f || box.energy.y > 0.
 
 /// fract(c - du / 2) for the mean centre c; see interpolateBoxes.
 double interpolatedStart(const std::array<Box, 3>& boxes, const std::array<double, 3>& share, double du) {
-  double reference = 0.0, turned = 0.0, total = 0.0;
+  double reference = 0.0, cosine = 0.0, sine = 0.0;  // from the first, so that one centre alone is itself
   bool hasReference = false;
   for (int k = 0; k < 3; ++k) {
     if (!(share[k] > 0.0) || boxes[k].du >= 1.0f) continue;
     const double centre = double(boxes[k].u0) + 0.5 * double(boxes[k].du);
     if (!hasReference) reference = centre;
     hasReference = true;
-    const double way = centre - reference;
-    turned += share[k] * (way - std::floor(way + 0.5));
-    total += share[k];
+    cosine += share[k] * std::cos(2.0 * kPiDouble * (centre - reference));
+    sine += share[k] * std::sin(2.0 * kPiDouble * (centre - reference));
   }
-  if (!(total > 0.0)) return 0.0;
-  const double start = reference + turned / total - 0.5 * du;
+  if (!hasReference) return 0.0;
+  const double start = reference + std::atan2(sine, cosine) / (2.0 * kPiDouble) - 0.5 * du;
   return start - std::floor(start);
 }
 

@@ -30,8 +30,9 @@ struct InterpolatedBox {
 ///   g_k = weight_k where box k has energy, else 0: an empty box has no place.   G = sum g_k; if 0, all is 0.
 ///   du = sum g_k du_k / G   v0 = sum g_k v0_k / G   v1 = sum g_k (v0_k + dv_k) / G
 ///   c_k = u0_k + du_k / 2,  h_k = g_k where du_k < 1, else 0: a full ring has no centre.
-///   c = r + sum h_k s_k / sum h_k,  r the first c_k with h_k > 0,
-///     s_k = c_k - r - floor(c_k - r + 1/2): the shortest way round.
+///   c = arg(sum h_k exp(2 pi i c_k)) / 2 pi, the mean on the circle (for centres close together the weighted
+///     mean, to third order): the shortest way round, and the same at an edge of two view triangles from
+///     either, which no linear mean is where three centres lie around the whole circle.
 ///   u0 = fract(c - du / 2), or 0 if all h are 0.
 ///   energy = sum weight_k energy_k for Interpolation::energy,
 ///            Omega(du, v0, v1) sum weight_k energy_k / Omega_k for Interpolation::weight.

@@ -87,11 +87,34 @@ TEST(InterpolateBoxes, EnergyIsExactUnderConstantLight) {
   }
 }
 
-TEST(InterpolateBoxes, GeometryIsLinear) {
-  const std::array<Box, 3> boxes = {makeBox(0.2f, 0.1f, 0.1f, 0.2f), makeBox(0.4f, 0.3f, 0.3f, 0.2f),
-                                    makeBox(0.3f, 0.2f, 0.2f, 0.4f)};
+TEST(InterpolateBoxes, SizesAndLatitudesAreLinear) {
+  const std::array<Box, 3> boxes = {makeBox(0.25f, 0.1f, 0.1f, 0.2f), makeBox(0.15f, 0.3f, 0.3f, 0.2f),
+                                    makeBox(0.2f, 0.2f, 0.2f, 0.4f)};
   const InterpolatedBox box = interpolateBoxes(boxes, {0.5f, 0.25f, 0.25f}, Interpolation::energy);
-  expectRectangle(box.rectangle, 0.275, 0.175, 0.175, 0.25);
+  expectRectangle(box.rectangle, 0.3 - 0.5 * 0.175, 0.175, 0.175, 0.25);
+}
+
+TEST(InterpolateBoxes, CentresAreMeanOnTheCircle) {
+  const std::array<Box, 3> boxes = {makeBox(0.2f, 0.1f, 0.1f, 0.2f), makeBox(0.45f, 0.1f, 0.1f, 0.2f),
+                                    makeBox(0.3f, 0.1f, 0.1f, 0.2f)};
+  const double turn = std::atan2(0.25, 0.75) / (2 * kPiDouble);
+  expectRectangle(interpolateBoxes(boxes, {0.75f, 0.25f, 0.0f}, Interpolation::energy).rectangle, 0.2 + turn,
+                  0.1, 0.1, 0.2);
+}
+
+TEST(InterpolateBoxes, ACentreThatLeavesLeavesNoJump) {
+  // Around the whole circle: whichever corner comes first, and however little it has to say.
+  const std::array<Box, 3> boxes = {makeBox(0.0f, 0.4f, 0.1f, 0.1f), makeBox(0.4f, 0.4f, 0.1f, 0.1f),
+                                    makeBox(0.65f, 0.4f, 0.1f, 0.1f)};
+  for (int last = 0; last < 3; ++last) {
+    vec3 edge(0.4f);
+    edge[last] = 0, edge[(last + 1) % 3] = 0.6f;
+    vec3 beside = edge * (1 - 1e-6f);
+    beside[last] = 1e-6f;
+    const auto at = interpolateBoxes(boxes, edge, Interpolation::energy).rectangle;
+    const auto near = interpolateBoxes(boxes, beside, Interpolation::energy).rectangle;
+    EXPECT_NEAR(at.u0, near.u0, 1e-5) << last;
+  }
 }
 
 TEST(InterpolateBoxes, CentresGoTheShortWayRound) {
