@@ -15,13 +15,14 @@ vec3 backgroundTexel(int x, int y) {
 
 /// environment.h: sampleEnvironment, turned.
 vec3 backgroundRadiance(vec3 direction) {
-  vec2 uv = directionToUv(normalize(direction));
-  vec2 at = vec2(fract(uv.x + frame.lightOffset), uv.y) * vec2(frame.backgroundSize) - 0.5;
+  vec4 turned[3] = frame.toEnvironment;
+  vec2 uv = directionToUv(normalize(turned[0].xyz * direction.x + turned[1].xyz * direction.y + turned[2].xyz * direction.z));
+  vec2 at = uv * vec2(frame.backgroundSize) - 0.5;
   ivec2 corner = ivec2(floor(at));
   vec2 f = at - vec2(corner);
   vec3 top = mix(backgroundTexel(corner.x, corner.y), backgroundTexel(corner.x + 1, corner.y), f.x);
   vec3 bottom = mix(backgroundTexel(corner.x, corner.y + 1), backgroundTexel(corner.x + 1, corner.y + 1), f.x);
-  return mix(top, bottom, f.y);
+  return frame.lightIntensity * mix(top, bottom, f.y);
 }
 
 #endif

@@ -12,8 +12,6 @@ layout(constant_id = kConstantTexelBuffers) const bool kTexelBuffers = true;
 
 float tableAt(uint i) { return kTexelBuffers ? texelFetch(tableTexels, int(i)).x : tables[i]; }
 
-const float kPi = 3.14159265358979;
-
 /// In the shaded records: channel c of a record's gradient.
 uint gradientIndex(uint record, uint c) { return kShadedRadiances * frame.recordCount + kShadedGradients * record + c; }
 

@@ -2,7 +2,7 @@
 #ifndef BOXLIGHT_KERNEL_GLSL
 #define BOXLIGHT_KERNEL_GLSL
 
-#include "box.glsl"
+#include "light.glsl"
 
 layout(constant_id = 1) const uint kBoxPools = 1;
 layout(constant_id = 3) const bool kEmitters = true;  // has any kernel emitted radiance?

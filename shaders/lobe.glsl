@@ -2,7 +2,7 @@
 #ifndef BOXLIGHT_LOBE_GLSL
 #define BOXLIGHT_LOBE_GLSL
 
-#include "light_domain.glsl"
+#include "light.glsl"
 
 /// lobe_boxes.h: GgxLobe; columns of `frame` are tangent, bitangent and normal, `view` is seen in it.
 struct GgxLobe {

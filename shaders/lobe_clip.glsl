@@ -2,7 +2,7 @@
 #ifndef BOXLIGHT_LOBE_CLIP_GLSL
 #define BOXLIGHT_LOBE_CLIP_GLSL
 
-#include "summed_area.glsl"
+#include "light.glsl"
 #include "visibility_maps.glsl"
 
 /// The maps around a pixel; their weights sum to 1.

@@ -3,7 +3,6 @@
 #define BOXLIGHT_PIXEL_LOBE_GLSL
 
 #include "extension_textures.glsl"
-#include "horizon.glsl"
 #include "lobe.glsl"
 
 const float kLeastAlpha = 1e-4;    // ggx.h: kMinAlpha

@@ -4,7 +4,7 @@
 // Equation 3 for every visible texel record: the Lambert kernel as it is stored, and the glossy kernel of the record's own view
 // direction, made from the boxes of the three nearest views.
 #include "kernel.glsl"
-#include "summed_area.glsl"
+#include "light_domain.glsl"
 #include "views.glsl"
 #include "visibility_maps.glsl"
 

@@ -31,10 +31,10 @@ SHARED_CONSTANT kBindTiles = 9;                // asset::Tile
 SHARED_CONSTANT kBindPageTable = 10;           // PageSlot[streamCount][tileCount]
 SHARED_CONSTANT kBindBoxPools = 11;            // kMaxBoxPools bindings of asset::PackedBox
 SHARED_CONSTANT kBindViews = 15;               // ViewTriangle
-SHARED_CONSTANT kBindLightMap = 16;            // RGB floats
-SHARED_CONSTANT kBindRowFactors = 17;          // one float a row
-SHARED_CONSTANT kBindRowSums = 18;             // RowSum
-SHARED_CONSTANT kBindSummedArea = 19;          // packed prefixes
+SHARED_CONSTANT kBindSummedArea = 16;          // of the light: see kConstantExactSums
+SHARED_CONSTANT kBindLayers = 17;              // LayerHeader, then uvec2[layer][sample]: triangle + 1, alpha
+SHARED_CONSTANT kBindLayerDepths = 18;         // floats[2][sample]: of the opaque triangle, of the last layer
+SHARED_CONSTANT kBindVisibilityMaps = 19;      // by record the place of its map or kAbsent, then maps
 SHARED_CONSTANT kBindVisible = 20;             // VisibleHeader, then record indices
 SHARED_CONSTANT kBindMarks = 21;               // one word a record
 SHARED_CONSTANT kBindShaded = 22;              // kShadedRadiances vec4 a record, then see below
@@ -44,15 +44,23 @@ SHARED_CONSTANT kBindPicture = 25;             // RGBA floats of one image tile
 SHARED_CONSTANT kBindMaterialExtensions = 26;  // asset::MaterialExtension
 SHARED_CONSTANT kBindTextureTransforms = 27;   // asset::TextureTransform
 SHARED_CONSTANT kBindBlended = 28;             // indices of the blended triangles, ascending
-SHARED_CONSTANT kBindLayers = 29;              // LayerHeader, then uvec2[layer][sample]: triangle + 1, alpha
-SHARED_CONSTANT kBindLayerDepths = 30;         // floats[2][sample]: of the opaque triangle, of the last layer
-SHARED_CONSTANT kBindVisibilityMaps = 31;      // by record the place of its map or kAbsent, then maps
-SHARED_CONSTANT kBufferBindings = 32;
-SHARED_CONSTANT kBindVisibility = 32;  // r32ui image: triangle + 1, or 0
+SHARED_CONSTANT kBufferBindings = 29;
+SHARED_CONSTANT kBindVisibility = 29;  // r32ui image: triangle + 1, or 0
 // What shading reads most, once more as texel buffers, which lavapipe reads in a third of the time.
-SHARED_CONSTANT kBindTableTexels = 33;  // kBindTables
-SHARED_CONSTANT kBindLightTexels = 34;  // kBindSummedArea
-SHARED_CONSTANT kBindMapTexels = 35;    // kBindVisibilityMaps
+SHARED_CONSTANT kBindTableTexels = 30;  // kBindTables
+SHARED_CONSTANT kBindLightTexels = 31;  // kBindSummedArea
+SHARED_CONSTANT kBindMapTexels = 32;    // kBindVisibilityMaps
+
+// Bindings of the passes that make the light's table, in a set of their own.
+SHARED_CONSTANT kLightConstants = 0;   // LightConstants
+SHARED_CONSTANT kLightImage = 1;       // the environment, RGB floats
+SHARED_CONSTANT kLightTables = 2;      // floats: shares of AxisCover, or TiltTables
+SHARED_CONSTANT kLightCovers = 3;      // AxisCover::Texel of every column, then of every row of the map
+SHARED_CONSTANT kLightMap = 4;         // RGB floats
+SHARED_CONSTANT kLightRowFactors = 5;  // one float a row
+SHARED_CONSTANT kLightRowSums = 6;     // RowSum
+SHARED_CONSTANT kLightEntries = 7;     // the table: kBindSummedArea of the frame
+SHARED_CONSTANT kLightHighlights = 8;  // Highlight
 
 // Specialisation constants of every shader that looks at surfaces: what an asset does not have is not
 // compiled in.
@@ -70,7 +78,8 @@ SHARED_CONSTANT kConstantFilm = 10;          // ... with iridescence
 SHARED_CONSTANT kConstantLayers = 11;        // blended layers at most, 0 without asset::kAlphaBlend
 SHARED_CONSTANT kConstantNormalMapped = 12;  // any normal map of a base layer
 SHARED_CONSTANT kConstantSplit = 13;         // any asset::kSplitLobe
-SHARED_CONSTANT kSurfaceConstants = 14;
+SHARED_CONSTANT kConstantExactSums = 14;     // of the light's table: 64-bit prefixes, not 42-bit ones
+SHARED_CONSTANT kSurfaceConstants = 15;
 SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
@@ -105,9 +114,10 @@ SHARED_CONSTANT kMarkLambert = 2u;  // needed by the other side, which lets diff
 SHARED_CONSTANT kLambertOnly = 0x80000000u;
 
 // Summed-area table: prefixes are summed with kGuardBits below the unit that is kept, then rounded to
-// kPrefixBits.
+// kPrefixBits. Exact ones are kept as they are.
 SHARED_CONSTANT kGuardBits = 16;
 SHARED_CONSTANT kPrefixBits = 42;
+SHARED_CONSTANT kSegments = 8;  // of a column, summed side by side (sat_columns_groups.comp)
 
 struct FrameConstants {
   vec4 eye;           // xyz; w = distance of the near plane
@@ -120,11 +130,14 @@ struct FrameConstants {
   uint samples;       // visibility samples of a pixel, each way
   uint boxLimit;      // boxes evaluated of each kernel at most
   uvec2 lightSize;    // of the light map
-  float lightUnit;    // radiance times steradian of one unit of the summed-area table
+  float lightUnit;    // radiance times steradian of one unit of the summed-area table, times the intensity
   float lightOffset;  // in u: the environment's rotation
   uvec2 backgroundSize;
   uvec2 atlasSize;
   uint recordCount, tileCount, diffuseStream, viewTriangles;
+  vec4 toEnvironment[3];  // columns: from directions of the world to those of the image, for the background
+  float lightIntensity;   // of the background; lightUnit has it
+  uint reserved[3];
 };
 
 // A rectangle of the picture, in pixels.
@@ -182,13 +195,24 @@ struct RowSum {
   uint high[3];
 };
 
+// What the passes that make the light's table work on.
+struct LightConstants {
+  uvec2 imageSize, mapSize;
+  vec4 toImage[3];  // columns of untilt() (environment_tilt.h)
+  vec4 ceiling;     // RGB: what samples read of a texel at most
+  uint samplesPerAxis, highlightCount;
+  uint columnShares;  // of the level map: places in the tables before those of rows
+  uint reserved;
+};
+
 struct VisibleHeader {
   uint groups[3];  // for dispatchIndirect
   uint count;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameConstants) == 160 && sizeof(ViewTriangle) == 80 && sizeof(RowSum) == 24);
+static_assert(sizeof(FrameConstants) == 224 && sizeof(ViewTriangle) == 80 && sizeof(RowSum) == 24 &&
+              sizeof(LightConstants) == 96);
 }  // namespace boxlight::gpu
 #endif
 #undef SHARED_CONSTANT

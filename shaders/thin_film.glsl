@@ -2,7 +2,7 @@
 #ifndef BOXLIGHT_THIN_FILM_GLSL
 #define BOXLIGHT_THIN_FILM_GLSL
 
-#include "frame.glsl"
+#include "light.glsl"
 
 float schlickWeight(float cosine) {
   float grazing = clamp(1.0 - cosine, 0.0, 1.0), squared = grazing * grazing;

@@ -3,7 +3,6 @@
 #define BOXLIGHT_VIEWS_GLSL
 
 #include "frame.glsl"
-#include "horizon.glsl"
 
 layout(std430, binding = kBindViews) readonly buffer Views { ViewTriangle viewTriangles[]; };
 

@@ -18,7 +18,8 @@ namespace {
 
 struct RenderOptions {
   std::string scene, environment, output, variance;
-  float rotation = 0.0f, exposure = 0.0f;
+  float rotation = 0.0f, intensity = 1.0f, exposure = 0.0f;
+  EnvironmentTilt tilt;
   CameraOptions camera;
   ReferenceOptions reference;
   TransportOptions transport;
@@ -36,7 +37,8 @@ void render(RenderOptions options, const CommonOptions& common) {
                                     resolveThreads(common.threads));
   Scene scene = loadGltf(options.scene);
   options.transport.applyTo(scene);
-  const Image environment = readEnvironment(options.environment);
+  Image environment = readEnvironment(options.environment);
+  for (float& value : environment.pixels) value *= options.intensity;
   const Camera camera = makeCamera(options.camera, scene.boundsMin, scene.boundsMax);
   const Intersector world(scene);
   options.reference.progress = common.quiet ? ProgressStyle::none : common.progress;
@@ -45,8 +47,8 @@ void render(RenderOptions options, const CommonOptions& common) {
   options.reference.seed = options.transport.seed;
   log().info("{}: {} triangles, {}x{} pixels, {} paths a pixel", options.scene, scene.triangles.size(),
              camera.size.x, camera.size.y, options.reference.samplesPerPixel);
-  const ReferencePicture picture =
-      renderReference(world, EnvironmentSampler(environment, options.rotation), camera, options.reference);
+  const ReferencePicture picture = renderReference(
+      world, EnvironmentSampler(environment, options.rotation, options.tilt), camera, options.reference);
   options.transport.reportRemoved(picture.removed);
   writePicture(options.output, picture.mean, options.exposure);
   if (!options.variance.empty()) writeImage(options.variance, picture.variance);
@@ -78,10 +80,11 @@ void addRenderCommand(CLI::App& app, CommonOptions& common) {
       ->capture_default_str();
   addTransportOptions(*command, options->transport,
                       "Largest radiance of a path; more is removed and reported. 0 = no limit");
+  addTurnOptions(*command, options->rotation, options->tilt);
   command
-      ->add_option("--env-rotation", options->rotation, "Degrees about +Y, counter-clockwise seen from above")
-      ->check(inRange(-1e6, 1e6))
-      ->option_text("DEG");
+      ->add_option("--env-intensity", options->intensity, "Radiance of the environment times X (default: 1)")
+      ->check(inRange(0, 1e6))
+      ->option_text("X");
   command->add_option("--exposure", options->exposure, "Stops, of a PNG")
       ->check(inRange(-100, 100))
       ->option_text("EV");

@@ -39,8 +39,11 @@ size_t findStep(const double* cumulative, size_t count, double& value) {
 
 }  // namespace
 
-EnvironmentSampler::EnvironmentSampler(const Image& environment, float rotationDegrees)
-    : image_(environment), offset_(environmentOffset(rotationDegrees)) {
+EnvironmentSampler::EnvironmentSampler(const Image& environment, float rotationDegrees, EnvironmentTilt tilt)
+    : image_(environment),
+      offset_(tilt.isLevel() ? environmentOffset(rotationDegrees) : 0.0f),
+      level_(tilt.isLevel()),
+      toImage_(worldToEnvironment(tilt, rotationDegrees)) {
   const std::vector<float> light = texelLuminance(image_);
   rows_.resize(image_.height);
   columns_.resize(light.size());
@@ -59,7 +62,7 @@ double EnvironmentSampler::texelSolidAngle(uint32_t row) const {
 }
 
 vec2 EnvironmentSampler::imageUv(vec3 direction) const {
-  vec2 uv = directionToUv(direction);
+  vec2 uv = directionToUv(level_ ? direction : toImage_ * direction);
   uv.x += offset_;
   if (uv.x >= 1.0f) uv.x -= 1.0f;
   return uv;
@@ -89,7 +92,8 @@ EnvironmentSampler::Sample EnvironmentSampler::sample(vec2 random) const {
                bottom = std::cos(kPiDouble * double(y + 1) / image_.height);
   const double v = std::acos(std::clamp(glm::mix(top, bottom, a), -1.0, 1.0)) / kPiDouble;
   const double u = (double(x) + b) / image_.width - double(offset_);
-  const vec3 direction = uvToDirection({float(u - std::floor(u)), float(v)});
+  const vec3 inImage = uvToDirection({float(u - std::floor(u)), float(v)});
+  const vec3 direction = level_ ? inImage : glm::transpose(toImage_) * inImage;
   return {direction, radiance(direction), density(direction)};
 }
 

@@ -5,6 +5,7 @@
 
 #include "common/image/image.h"
 #include "common/light/environment.h"
+#include "common/light/environment_tilt.h"
 
 namespace boxlight {
 
@@ -13,8 +14,9 @@ namespace boxlight {
 /// uniformly in its solid angle, so no direction with light has density zero and a sun of one texel is found.
 class EnvironmentSampler {
  public:
-  /// `rotationDegrees` turns the environment about +Y (light_domain.h). The image must outlive the sampler.
-  EnvironmentSampler(const Image& environment, float rotationDegrees);
+  /// `rotationDegrees` and `tilt` turn the environment (environment_tilt.h). The image must outlive the
+  /// sampler.
+  EnvironmentSampler(const Image& environment, float rotationDegrees, EnvironmentTilt tilt = {});
 
   struct Sample {
     vec3 direction;
@@ -30,7 +32,9 @@ class EnvironmentSampler {
   double texelSolidAngle(uint32_t row) const;
 
   const Image& image_;
-  float offset_;                        ///< of u, in turns
+  float offset_;                        ///< of u, in turns; 0 with a tilt
+  bool level_;                          ///< no tilt: the offset alone turns, and toImage_ is not used
+  glm::mat3 toImage_;                   ///< directions of the world to directions of the image
   std::vector<double> rows_, columns_;  ///< cumulative: rows_[y], columns_[y * width + x]
 };
 

@@ -45,6 +45,17 @@ CLI::Option* addVec3To(CLI::App& command, const std::string& name, Target& value
   return command.add_option_function<std::string>(name, parse, help)->option_text("X,Y,Z");
 }
 
+template <class Target>
+CLI::Option* addSizeTo(CLI::App& command, const std::string& name, Target& value, const std::string& help) {
+  auto parse = [&value, name](const std::string& text) {
+    std::array<uint32_t, 2> v;
+    if (!parseList(text, 'x', v) || v[0] < 1 || v[1] < 1 || v[0] > 16384 || v[1] > 16384)
+      throw CLI::ValidationError(name, "expected WxH, each 1 to 16384, got '" + text + "'");
+    value = uvec2(v[0], v[1]);
+  };
+  return command.add_option_function<std::string>(name, parse, help)->option_text("WxH");
+}
+
 }  // namespace
 
 void addCommonOptions(CLI::App& command, CommonOptions& options) {
@@ -74,13 +85,12 @@ CLI::Option* addVec3(CLI::App& command, const std::string& name, std::optional<v
 }
 
 CLI::Option* addSize(CLI::App& command, const std::string& name, uvec2& value, const std::string& help) {
-  auto parse = [&value, name](const std::string& text) {
-    std::array<uint32_t, 2> v;
-    if (!parseList(text, 'x', v) || v[0] < 1 || v[1] < 1 || v[0] > 16384 || v[1] > 16384)
-      throw CLI::ValidationError(name, "expected WxH, each 1 to 16384, got '" + text + "'");
-    value = {v[0], v[1]};
-  };
-  return command.add_option_function<std::string>(name, parse, help)->option_text("WxH");
+  return addSizeTo(command, name, value, help);
+}
+
+CLI::Option* addSize(CLI::App& command, const std::string& name, std::optional<uvec2>& value,
+                     const std::string& help) {
+  return addSizeTo(command, name, value, help);
 }
 
 CLI::Option* addOnOff(CLI::App& command, const std::string& name, bool& value, const std::string& help) {

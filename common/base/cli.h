@@ -26,6 +26,8 @@ CLI::Option* addVec3(CLI::App& command, const std::string& name, vec3& value, co
 CLI::Option* addVec3(CLI::App& command, const std::string& name, std::optional<vec3>& value,
                      const std::string& help);
 CLI::Option* addSize(CLI::App& command, const std::string& name, uvec2& value, const std::string& help);
+CLI::Option* addSize(CLI::App& command, const std::string& name, std::optional<uvec2>& value,
+                     const std::string& help);
 
 CLI::Option* addOnOff(CLI::App& command, const std::string& name, bool& value,
                       const std::string& help);  ///< "on" or "off"

@@ -3,6 +3,8 @@
 
 #include <OpenImageIO/imageio.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstring>
@@ -44,13 +46,43 @@ void checkSpec(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
     failImage(path, "its data window is not its display window; crop or pad it first");
 }
 
-/// How many of the leading channels are colour and alpha. OpenImageIO puts R, G, B, A first.
-int usableChannels(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
-  if (spec.nchannels <= 4) return spec.nchannels;
+constexpr int kNone = -1;
+
+/// Places of red, green, blue and alpha among a file's channels; grey has one colour.
+struct ChannelChoice {
+  std::vector<int> colours;
+  int alpha = kNone;
+};
+
+std::string lower(std::string text) {
+  for (char& c : text) c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// The channel "LAYER.x" or "LAYER.long" of any case.
+int findChannel(const std::vector<std::string>& names, const std::string& layer, const std::string& brief,
+                const std::string& full) {
+  for (size_t i = 0; i < names.size(); ++i)
+    if (const std::string name = lower(names[i]); name == layer + brief || name == layer + full)
+      return int(i);
+  return kNone;
+}
+
+/// The first layer that has red, green and blue, by their names; else as many channels as colours have.
+ChannelChoice chooseChannels(const std::filesystem::path& path, const OIIO::ImageSpec& spec) {
   const auto& names = spec.channelnames;
-  if (names[0] != "R" || names[1] != "G" || names[2] != "B")
+  for (const std::string& name : names) {
+    const std::string layer = lower(name.substr(0, name.rfind('.') + 1));
+    const int r = findChannel(names, layer, "r", "red"), g = findChannel(names, layer, "g", "green"),
+              b = findChannel(names, layer, "b", "blue");
+    if (r != kNone && g != kNone && b != kNone) return {{r, g, b}, findChannel(names, layer, "a", "alpha")};
+  }
+  if (findChannel(names, "", "ry", "ry") != kNone)
+    failImage(path, "luminance and chroma (Y, RY, BY); convert it to R, G and B first");
+  if (spec.nchannels > 4)
     failImage(path, fmt::format("{} channels without R, G and B among them", spec.nchannels));
-  return names[3] == "A" ? 4 : 3;
+  if (spec.nchannels >= 3) return {{0, 1, 2}, spec.nchannels == 4 ? 3 : kNone};
+  return {{0}, spec.nchannels == 2 ? 1 : kNone};
 }
 
 /// To linear and premultiplied, from what the file says about itself.
@@ -71,6 +103,19 @@ void decodeColours(Image& image, const OIIO::ImageSpec& spec) {
       p[c] *= alpha;
     }
   }
+}
+
+/// The channels at `places`, in that order; `first` is the place of the image's first.
+Image pickChannels(Image image, std::vector<int> places, int first) {
+  bool inPlace = places.size() == image.channels;
+  for (size_t i = 0; i < places.size(); ++i) inPlace = inPlace && (places[i] -= first) == int(i);
+  if (inPlace) return image;
+  Image picked = makeImage(image.width, image.height, uint32_t(places.size()));
+  const size_t pixels = size_t(image.width) * image.height;
+  for (size_t p = 0; p < pixels; ++p)
+    for (size_t c = 0; c < places.size(); ++c)
+      picked.pixels[p * places.size() + c] = image.pixels[p * image.channels + size_t(places[c])];
+  return picked;
 }
 
 OIIO::ImageSpec outputSpec(const std::filesystem::path& path, const Image& image) {
@@ -97,10 +142,15 @@ Image readImage(const std::filesystem::path& path) {
   const auto input = openImage(path);
   const OIIO::ImageSpec& spec = input->spec();
   checkSpec(path, spec);
-  const int channels = usableChannels(path, spec);
-  Image image = makeImage(uint32_t(spec.width), uint32_t(spec.height), uint32_t(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, image.pixels.data()))
+  const ChannelChoice choice = chooseChannels(path, spec);
+  std::vector<int> places = choice.colours;
+  if (choice.alpha != kNone) places.push_back(choice.alpha);
+  const auto [low, high] = std::minmax_element(places.begin(), places.end());
+  const int first = *low, stored = *high + 1 - first;
+  Image image = makeImage(uint32_t(spec.width), uint32_t(spec.height), uint32_t(stored));
+  if (!input->read_image(0, 0, first, first + stored, OIIO::TypeDesc::FLOAT, image.pixels.data()))
     failImage(path, input->geterror());
+  image = pickChannels(std::move(image), places, first);
   decodeColours(image, spec);
   return image;
 }

@@ -41,11 +41,12 @@ inline float alphaAt(const Image& image, uint32_t x, uint32_t y) {
   return hasAlpha(image) ? image.at(x, y)[image.channels - 1] : 1.0f;
 }
 
-/// Anything that OpenImageIO reads: 1 to 4 channels, at most 32768 pixels a side and 2^28 in all. Files that
-/// say they are sRGB (PNG, JPEG...) are decoded to linear; straight alpha is multiplied in. Of an EXR with
-/// further channels R, G, B and A are taken. Values are not checked: NaN and Inf come through. Errors:
-/// ExitCode::io if the file cannot be opened, ExitCode::invalidInput with OpenImageIO's reason if it is
-/// damaged.
+/// Anything that OpenImageIO reads, at most 32768 pixels a side and 2^28 in all. Files that
+/// say they are sRGB (PNG, JPEG...) are decoded to linear; straight alpha is multiplied in. Channels go by
+/// their names, of any case and order: R or red, G or green, B or blue, A or alpha, "LAYER.R" of the first
+/// layer that has all three; channels without such names are taken as they come, if there are 1 to 4. Values
+/// are not checked: NaN and Inf come through. Errors: ExitCode::io if the file cannot be opened,
+/// ExitCode::invalidInput with OpenImageIO's reason if it is damaged.
 Image readImage(const std::filesystem::path& path);
 
 /// `.exr`: the values as they are, 1, 3 or 4 channels, float32, zip. `.png`: 8 bits of an image from

@@ -6,6 +6,7 @@
 
 #include "common/base/error.h"
 #include "common/base/log.h"
+#include "common/light/light_map.h"
 
 namespace boxlight {
 namespace {
@@ -14,7 +15,8 @@ struct Repairs {
   uint64_t nan = 0, infinite = 0, negative = 0;
 };
 
-Image toRgb(const Image& image) {
+Image toRgb(Image image) {
+  if (image.channels == 3) return image;
   Image rgb = makeImage(image.width, image.height, 3);
   for (uint32_t y = 0; y < image.height; ++y)
     for (uint32_t x = 0; x < image.width; ++x) {
@@ -24,11 +26,14 @@ Image toRgb(const Image& image) {
   return rgb;
 }
 
-/// Largest finite value of each channel; negative if there is none.
-Rgb largestFinite(const Image& rgb) {
+bool isUsable(float value) { return value <= kMostRadiance; }  // not NaN
+
+/// Largest usable value of each channel; negative if there is none.
+Rgb largestUsable(const Image& rgb) {
   Rgb largest(-std::numeric_limits<float>::infinity());
   for (size_t i = 0; i < rgb.pixels.size(); ++i)
-    if (std::isfinite(rgb.pixels[i])) largest[int(i % 3)] = std::max(largest[int(i % 3)], rgb.pixels[i]);
+    if (std::isfinite(rgb.pixels[i]) && isUsable(rgb.pixels[i]))
+      largest[int(i % 3)] = std::max(largest[int(i % 3)], rgb.pixels[i]);
   return largest;
 }
 
@@ -36,13 +41,14 @@ Repairs repair(Image& rgb, Rgb largest) {
   Repairs repairs;
   for (size_t i = 0; i < rgb.pixels.size(); ++i) {
     float& value = rgb.pixels[i];
-    if (std::isnan(value)) {
+    if (value >= kLeastRadiance && value <= kMostRadiance) continue;
+    if (isUsable(value)) {
+      repairs.negative += value < 0.0f;
+      value = 0.0f;
+    } else if (std::isnan(value)) {
       ++repairs.nan;
       value = 0.0f;
-    } else if (value < 0.0f) {
-      ++repairs.negative;
-      value = 0.0f;
-    } else if (std::isinf(value)) {
+    } else {
       ++repairs.infinite;
       value = std::max(largest[int(i % 3)], 0.0f);
     }
@@ -50,20 +56,31 @@ Repairs repair(Image& rgb, Rgb largest) {
   return repairs;
 }
 
+/// Halves the sides until the image is small enough.
+Image shrink(Image rgb, const std::string& name) {
+  uvec2 size(rgb.width, rgb.height);
+  while (uint64_t(size.x) * size.y > kMostEnvironmentPixels) size = glm::max(size / 2u, 1u);
+  if (size == uvec2(rgb.width, rgb.height)) return rgb;
+  log().warn("{}: {}x{} pixels are averaged to {}x{}; the energy is kept", name, rgb.width, rgb.height,
+             size.x, size.y);
+  return makeLightMap(rgb, size);
+}
+
 }  // namespace
 
-Image toEnvironment(const Image& image, const std::string& name) {
-  Image rgb = toRgb(image);
-  const Rgb largest = largestFinite(rgb);
+Image toEnvironment(Image image, const std::string& name) {
+  Image rgb = toRgb(std::move(image));
+  const Rgb largest = largestUsable(rgb);
   if (!std::isfinite(maxComponent(largest)))
     fail(ExitCode::invalidInput, "{}: not a usable environment: no texel has a finite value", name);
   const Repairs repairs = repair(rgb, largest);
   if (repairs.nan + repairs.negative + repairs.infinite > 0)
     log().warn(
-        "{}: values that are no radiance: {} NaN and {} negative set to 0, {} infinite set to the largest "
-        "finite value",
-        name, repairs.nan, repairs.negative, repairs.infinite);
-  return rgb;
+        "{}: values that are no radiance: {} NaN and {} negative set to 0, {} infinite or above {:.3g} set "
+        "to "
+        "the largest other value",
+        name, repairs.nan, repairs.negative, repairs.infinite, double(kMostRadiance));
+  return shrink(std::move(rgb), name);
 }
 
 Image readEnvironment(const std::filesystem::path& path) {

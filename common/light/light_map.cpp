@@ -6,58 +6,63 @@
 namespace boxlight {
 namespace {
 
-/// What one target texel covers along one axis: source texels first, first + 1, ... and the part of the
-/// target in each.
-struct Cover {
-  uint32_t first = 0;
-  std::vector<double> share;  // sums to 1
-};
-
-/// `measure(a, b)` is the size of [a, b] of [0,1] along the axis.
+/// `measure(from, to)` is the size of an interval along the axis in units of which there are source * target.
 template <class Measure>
-std::vector<Cover> coverAxis(uint32_t source, uint32_t target, const Measure& measure) {
-  std::vector<Cover> covers(target);
+AxisCover coverAxis(uint32_t source, uint32_t target, const Measure& measure) {
+  AxisCover cover;
+  std::vector<double> sizes;
   for (uint32_t t = 0; t < target; ++t) {
     // In whole numbers, so that shared edges meet exactly: target texel t is [t, t + 1] * source of source *
     // target units.
     const uint64_t begin = uint64_t(t) * source, end = begin + source;
-    const double units = double(source) * double(target);
-    covers[t].first = uint32_t(begin / target);
+    const uint64_t first = begin / target;
+    sizes.clear();
     double total = 0;
-    for (uint64_t s = covers[t].first; s * target < end; ++s) {
+    for (uint64_t s = first; s * target < end; ++s) {
       const uint64_t from = std::max(begin, s * target), to = std::min(end, (s + 1) * target);
-      covers[t].share.push_back(measure(double(from) / units, double(to) / units));
-      total += covers[t].share.back();
+      sizes.push_back(measure(from, to));
+      total += sizes.back();
     }
-    for (double& share : covers[t].share) share /= total;
+    const auto place = uint32_t(cover.share.size());
+    cover.texels.push_back({uint32_t(first), place, place + uint32_t(sizes.size())});
+    for (const double size : sizes) cover.share.push_back(float(size / total));
   }
-  return covers;
+  return cover;
 }
 
-/// The source rows under one target row, averaged.
-std::vector<dvec3> averageRows(const Image& environment, const Cover& rows) {
-  std::vector<dvec3> average(environment.width, dvec3(0.0));
-  for (size_t i = 0; i < rows.share.size(); ++i)
-    for (uint32_t x = 0; x < environment.width; ++x)
-      average[x] += rows.share[i] * dvec3(rgbAt(environment, x, rows.first + uint32_t(i)));
-  return average;
+Rgb meanOverColumns(const Image& environment, const AxisCover& columns, uint32_t x, uint32_t row) {
+  const AxisCover::Texel& texel = columns.texels[x];
+  Rgb mean(0.0f);
+  for (uint32_t i = texel.begin; i < texel.end; ++i)
+    mean += columns.share[i] * rgbAt(environment, texel.first + i - texel.begin, row);
+  return mean;
 }
 
 }  // namespace
 
+AxisCover coverColumns(uint32_t source, uint32_t target) {
+  return coverAxis(source, target, [](uint64_t from, uint64_t to) { return double(to - from); });
+}
+
+AxisCover coverRows(uint32_t source, uint32_t target) {
+  const double units = double(source) * double(target);
+  return coverAxis(source, target, [units](uint64_t from, uint64_t to) {
+    return rectangleSolidAngle(1.0, double(from) / units, double(to) / units);
+  });
+}
+
 Image makeLightMap(const Image& environment, uvec2 size) {
   assert(environment.channels == 3 && size.x > 0 && size.y > 0);
-  const auto columns = coverAxis(environment.width, size.x, [](double a, double b) { return b - a; });
-  const auto rows = coverAxis(environment.height, size.y,
-                              [](double a, double b) { return rectangleSolidAngle(1.0, a, b); });
+  const AxisCover columns = coverColumns(environment.width, size.x),
+                  rows = coverRows(environment.height, size.y);
   Image map = makeImage(size.x, size.y, 3);
   for (uint32_t y = 0; y < size.y; ++y) {
-    const std::vector<dvec3> row = averageRows(environment, rows[y]);
+    const AxisCover::Texel& texel = rows.texels[y];
     for (uint32_t x = 0; x < size.x; ++x) {
-      dvec3 mean(0.0);
-      for (size_t i = 0; i < columns[x].share.size(); ++i)
-        mean += columns[x].share[i] * row[columns[x].first + i];
-      for (int c = 0; c < 3; ++c) map.at(x, y)[c] = float(mean[c]);
+      Rgb mean(0.0f);
+      for (uint32_t i = texel.begin; i < texel.end; ++i)
+        mean += rows.share[i] * meanOverColumns(environment, columns, x, texel.first + i - texel.begin);
+      for (int c = 0; c < 3; ++c) map.at(x, y)[c] = mean[c];
     }
   }
   return map;
@@ -68,6 +73,17 @@ std::vector<double> texelSolidAngles(uint32_t width, uint32_t height) {
   for (uint32_t y = 0; y < height; ++y)
     angles[y] = rectangleSolidAngle(1.0 / width, double(y) / height, double(y + 1) / height);
   return angles;
+}
+
+dvec3 totalEnergy(const Image& environment) {
+  const auto solidAngles = texelSolidAngles(environment.width, environment.height);
+  dvec3 total(0.0);
+  for (uint32_t y = 0; y < environment.height; ++y) {
+    dvec3 row(0.0);
+    for (uint32_t x = 0; x < environment.width; ++x) row += dvec3(rgbAt(environment, x, y));
+    total += solidAngles[y] * row;
+  }
+  return total;
 }
 
 }  // namespace boxlight

@@ -4,15 +4,12 @@
 #include <optional>
 
 #include "common/base/log.h"
-#include "common/light/environment.h"
 #include "common/light/light_domain.h"
-#include "common/light/light_map.h"
 #include "runtime/kernels/layers.h"
 #include "runtime/kernels/scene_buffers.h"
 #include "runtime/kernels/shade.h"
 #include "runtime/kernels/visibility.h"
 #include "runtime/kernels/visibility_maps.h"
-#include "runtime/light/light_table.h"
 
 namespace boxlight::gpu {
 namespace {
@@ -35,19 +32,17 @@ std::vector<ImageTile> splitPicture(const FrameSettings& settings, const DeviceL
   return tiles;
 }
 
-/// Halves an environment until a storage buffer holds it; it is only looked at, not integrated.
-Image fitBackground(const Image& environment, const DeviceLimits& limits) {
-  uvec2 size(environment.width, environment.height);
-  while (uint64_t(size.x) * size.y * 3 * sizeof(float) > limits.maxStorageBufferRange)
-    size = glm::max(size / 2u, 1u);
-  if (size == uvec2(environment.width, environment.height)) return environment;
-  log().warn("the background is drawn from {}x{} pixels of the environment: the device holds no more", size.x,
-             size.y);
-  return makeLightMap(environment, size);
+void setLight(FrameConstants& frame, const FrameSettings& settings, const Light& light) {
+  frame.lightSize = light.size();
+  frame.lightUnit = light.unit() * settings.environmentIntensity;
+  frame.lightOffset = environmentOffset(settings.environmentDegrees);
+  frame.backgroundSize = light.imageSize();
+  const glm::mat3 turned(worldToEnvironment(settings.environmentTilt, settings.environmentDegrees));
+  for (int k = 0; k < 3; ++k) frame.toEnvironment[k] = vec4(turned[k], 0.0f);
+  frame.lightIntensity = settings.environmentIntensity;
 }
 
-FrameConstants makeConstants(const asset::Asset& asset, const FrameSettings& settings, uvec2 backgroundSize,
-                             float lightUnit) {
+FrameConstants makeConstants(const asset::Asset& asset, const FrameSettings& settings) {
   const Camera& camera = settings.camera;
   const float tanY = camera.tanHalfFov, tanX = tanY * float(camera.size.x) / float(camera.size.y);
   const auto& low = asset.info.boundsMin;
@@ -63,10 +58,6 @@ FrameConstants makeConstants(const asset::Asset& asset, const FrameSettings& set
   frame.imageSize = camera.size;
   frame.samples = settings.samples;
   frame.boxLimit = settings.boxLimit;
-  frame.lightSize = settings.lightSize;
-  frame.lightUnit = lightUnit;
-  frame.lightOffset = environmentOffset(settings.environmentDegrees);
-  frame.backgroundSize = backgroundSize;
   frame.atlasSize = {asset.info.atlasWidth, asset.info.atlasHeight};
   frame.recordCount = uint32_t(asset.records.size());
   frame.tileCount = uint32_t(asset.tiles.size());
@@ -90,6 +81,7 @@ void addTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) 
 
 struct FrameRenderer::Parts {
   Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment, const FrameSettings& chosen);
+  void showLight();
   void findVisible();
   void findLayers(size_t tile);
   void drawSamples(Commands& commands, size_t tile);
@@ -105,8 +97,9 @@ struct FrameRenderer::Parts {
   std::vector<uint32_t> tileLayers;  // blended ones that each tile shows
   Bindings bindings;
   SceneBuffers scene;
-  LightTable light;
-  Buffer frame, background;
+  Light light;
+  FrameConstants constantsOfFrame;
+  Buffer frame;
   ShadedRecords shaded;
   SurfaceConstants constants;
   VisibilityPass visibility;
@@ -128,32 +121,26 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const
       tileLayers(tiles.size()),
       bindings(gpu),
       scene(gpu, bindings, reader.asset()),
-      light(gpu, bindings, makeLightMap(environment, settings.lightSize)),
+      light(gpu, environment, settings.environmentTilt, {settings.lightSize, settings.satScheme}),
+      constantsOfFrame(makeConstants(reader.asset(), settings)),
       frame(gpu, "frame constants", sizeof(FrameConstants)),
-      background(gpu, "no background", 0),
       shaded(gpu, bindings, reader.asset()),
       constants(surfaceConstants(reader.asset(), settings.background, blended ? settings.layerLimit : 0)),
       visibility(gpu, bindings, reader.asset(), constants, tiles.front().size * settings.samples),
       picture(makeImage(settings.camera.size.x, settings.camera.size.y, 4)) {
-  uvec2 backgroundSize(0);
-  if (settings.background) {
-    const Image image = fitBackground(environment, gpu.limits());
-    backgroundSize = {image.width, image.height};
-    background = makeBuffer(gpu, "background", image.pixels);
-    bindings.set(kBindBackground, background);
-  }
-  const FrameConstants camera = makeConstants(reader.asset(), settings, backgroundSize, light.unit());
-  upload(gpu, frame, std::as_bytes(std::span(&camera, 1)));
+  constants[kConstantExactSums] = settings.satScheme == SatScheme::exact;
   bindings.set(kBindFrame, frame);
   if (blended)
     layers.emplace(gpu, bindings, reader.asset(), constants, tiles.front().size * settings.samples,
                    settings.layerLimit);
 
+  showLight();
   findVisible();
   const std::vector<VisibleRecord> visible = visibility.readList(gpu);
   pages.emplace(gpu, bindings, reader, visible, settings.camera.eye, settings.poolBytes, settings.threads);
   if (hasSplitLobes(reader.asset())) maps.emplace(gpu, bindings, reader.asset(), visible);
-  shade.emplace(gpu, bindings, reader.asset(), pages->poolCount(), pages->emitters(), settings.interpolation);
+  shade.emplace(gpu, bindings, reader.asset(), pages->poolCount(), pages->emitters(), settings.interpolation,
+                settings.satScheme == SatScheme::exact);
   constants[kConstantLayers] = counts.layers;
   resolve.emplace(gpu, bindings, constants, uint64_t(tiles.front().size.x) * tiles.front().size.y);
   counts.visibleRecords = visible.size();
@@ -161,6 +148,21 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const
   counts.pages = pages->pageCount();
   counts.pageBytes = pages->bytes();
   counts.sceneBytes = scene.bytes() + (maps ? maps->bytes() : 0);
+}
+
+/// The light as it is now, built first if it has to be, for the next frame.
+void FrameRenderer::Parts::showLight() {
+  if (light.needsBuild()) {
+    counts.lightMilliseconds = 0;
+    for (const PassTime& time : device.run(
+             [&](Commands& commands) { commands.pass("light table", [&] { light.build(commands); }); }))
+      counts.lightMilliseconds += time.milliseconds;
+    light.show();
+    bindings.set(kBindSummedArea, light.table());
+    if (settings.background) bindings.set(kBindBackground, light.image());
+  }
+  setLight(constantsOfFrame, settings, light);
+  upload(device, frame, std::as_bytes(std::span(&constantsOfFrame, 1)));
 }
 
 void FrameRenderer::Parts::findVisible() {
@@ -225,10 +227,7 @@ std::vector<PassTime> FrameRenderer::run() {
   Parts& p = *parts_;
   std::vector<PassTime> times;
   const auto submit = [&](const auto& record) { addTimes(times, p.device.run(record)); };
-  submit([&](Commands& commands) {
-    commands.pass("light table", [&] { p.light.build(commands); });
-    commands.pass("clear", [&] { p.visibility.clear(commands); });
-  });
+  submit([&](Commands& commands) { commands.pass("clear", [&] { p.visibility.clear(commands); }); });
   for (size_t tile = 0; tile < p.tiles.size(); ++tile)
     submit([&](Commands& commands) { p.drawTile(commands, tile); });
   submit([&](Commands& commands) { p.shadeRecords(commands); });
@@ -246,9 +245,20 @@ std::vector<VisibleRecord> FrameRenderer::readVisible() const {
   return parts_->visibility.readList(parts_->device);
 }
 
-std::vector<uvec4> FrameRenderer::readLightTable() const {
-  const Buffer& entries = parts_->light.entries();
-  return readBuffer<uvec4>(parts_->device, entries, entries.size() / sizeof(uvec4));
+const Light& FrameRenderer::light() const { return parts_->light; }
+
+void FrameRenderer::setEnvironment(const Image& environment) {
+  parts_->light.setEnvironment(environment);
+  parts_->showLight();
+}
+
+void FrameRenderer::turnEnvironment(float degrees, EnvironmentTilt tilt, float intensity) {
+  Parts& p = *parts_;
+  p.settings.environmentDegrees = degrees;
+  p.settings.environmentTilt = tilt;
+  p.settings.environmentIntensity = intensity;
+  p.light.setTilt(tilt);
+  p.showLight();
 }
 
 }  // namespace boxlight::gpu

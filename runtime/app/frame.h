@@ -7,7 +7,7 @@
 #include "common/image/image.h"
 #include "common/light/relight.h"
 #include "runtime/kernels/pages.h"
-#include "runtime/vulkan/device.h"
+#include "runtime/light/light.h"
 
 namespace boxlight::gpu {
 
@@ -15,11 +15,14 @@ namespace boxlight::gpu {
 struct FrameSettings {
   Camera camera;
   float environmentDegrees = 0;  ///< --env-rotation
-  uint32_t samples = 2;          ///< visibility samples of a pixel, each way
-  uint32_t boxLimit = ~0u;       ///< boxes evaluated of each kernel at most
-  uint32_t layerLimit = 8;       ///< blended layers of a sample at most; the farther ones are left out
+  EnvironmentTilt environmentTilt;
+  float environmentIntensity = 1;  ///< its radiance times this
+  uint32_t samples = 2;            ///< visibility samples of a pixel, each way
+  uint32_t boxLimit = ~0u;         ///< boxes evaluated of each kernel at most
+  uint32_t layerLimit = 8;         ///< blended layers of a sample at most; the farther ones are left out
   Interpolation interpolation = Interpolation::energy;
-  uvec2 lightSize{512, 256};          ///< of the light map
+  uvec2 lightSize{512, 256};  ///< of the light map
+  SatScheme satScheme = SatScheme::compact;
   bool background = true;             ///< draw the environment behind the object
   uint32_t tileEdge = 2048;           ///< image tiles are no larger, in pixels
   uint64_t poolBytes = ~uint64_t(0);  ///< storage buffers of boxes are no larger, whatever the device allows
@@ -30,6 +33,7 @@ struct FrameCounts {
   uint64_t visibleRecords = 0;
   uint64_t boxes = 0;  ///< integrals of Equation 3 in a frame
   uint64_t pages = 0, pageBytes = 0, sceneBytes = 0;
+  double lightMilliseconds = 0;  ///< on the device, of the last light map and table
   uint32_t layers = 0;           ///< blended layers drawn, of the image tile with the most
   uint64_t cutLayerSamples = 0;  ///< visibility samples with more layers than the limit
 };
@@ -42,6 +46,11 @@ class FrameRenderer {
                 const FrameSettings& settings);
   ~FrameRenderer();
 
+  /// Another light, from the next frame on. Rotation about +Y and intensity cost nothing; another image or
+  /// tilt has the table built anew.
+  void setEnvironment(const Image& environment);
+  void turnEnvironment(float degrees, EnvironmentTilt tilt, float intensity);
+
   /// Runs every pass and returns the GPU time of each, in order; those of several image tiles are added up.
   std::vector<PassTime> run();
   /// The last frame: RGBA, linear, premultiplied, row 0 at the top. Alpha is the part of the pixel that the
@@ -52,8 +61,7 @@ class FrameRenderer {
   /// maps then kShadedGradients each. What readVisible does not name means nothing.
   std::vector<vec4> readShaded() const;
   std::vector<VisibleRecord> readVisible() const;
-  /// The summed-area table as sat_columns.comp packs it.
-  std::vector<uvec4> readLightTable() const;
+  const Light& light() const;
 
  private:
   struct Parts;

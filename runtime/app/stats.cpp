@@ -38,6 +38,8 @@ nlohmann::ordered_json describeFrame(const DeviceInfo& device, const FrameSettin
   stats["image"] = {settings.camera.size.x, settings.camera.size.y};
   stats["samples"] = settings.samples;
   stats["sat"] = {settings.lightSize.x, settings.lightSize.y};
+  stats["sat_scheme"] = settings.satScheme == SatScheme::exact ? "exact" : "compact";
+  stats["light_table_ms"] = counts.lightMilliseconds;
   stats["interpolation"] = settings.interpolation == Interpolation::energy ? "energy" : "weight";
   stats["visible_texels"] = counts.visibleRecords;
   stats["boxes_evaluated"] = counts.boxes;

@@ -5,6 +5,7 @@
 
 #include "common/base/error.h"
 #include "common/image/image.h"
+#include "common/image/image_sequence.h"
 
 namespace boxlight::gpu {
 namespace {
@@ -12,14 +13,17 @@ namespace {
 void addPictureOptions(CLI::App& app, ViewOptions& options) {
   static const std::map<std::string, bool> switches = {{"on", true}, {"off", false}};
   app.add_flag("--headless", options.headless, "Render one picture to a file, without a window");
-  app.add_option("--env", options.environment, "Environment: an equirectangular HDR image")
+  app.add_option("--env", options.environment,
+                 "Environment: an equirectangular HDR image, or a numbered sequence of them, sky.####.exr or "
+                 "sky.%04d.exr, for --frames N pictures whose names are numbered alike")
       ->option_text("IMAGE");
   app.add_option("-o,--output", options.output, "The picture: .exr (linear) or .png (sRGB)")
       ->option_text("FILE");
-  app.add_option("--env-rotation", options.environmentDegrees,
-                 "Turn the environment about +Y, in degrees counter-clockwise seen from above")
-      ->check(inRange(-1e6, 1e6))
-      ->option_text("DEG");
+  addTurnOptions(app, options.environmentDegrees, options.environmentTilt);
+  app.add_option("--env-intensity", options.environmentIntensity,
+                 "Radiance of the environment times X (default: 1)")
+      ->check(inRange(0, 1e6))
+      ->option_text("X");
   app.add_option("--exposure", options.exposure, "Of a PNG: radiance times 2^EV")
       ->check(inRange(-100, 100))
       ->option_text("EV");
@@ -43,7 +47,15 @@ void addQualityOptions(CLI::App& app, ViewOptions& options) {
       ->transform(CLI::CheckedTransformer(interpolations))
       ->option_text("energy|weight");
   addSize(app, "--sat-size", options.lightSize,
-          "Size of the summed-area table of the light (default: 512x256)");
+          "Size of the summed-area table of the light (default: by the sizes of the asset's boxes, from "
+          "512x256 to "
+          "2048x1024)");
+  static const std::map<std::string, SatScheme> schemes = {{"compact", SatScheme::compact},
+                                                           {"exact", SatScheme::exact}};
+  app.add_option("--sat", options.satScheme,
+                 "Prefixes of the table: compact (42 bits, 16 bytes) or exact (64 bits, 24 bytes)")
+      ->transform(CLI::CheckedTransformer(schemes))
+      ->option_text("compact|exact");
   app.add_option("--samples", options.samples, "N x N visibility samples a pixel (default: 2)")
       ->check(CLI::Range(1, 8))
       ->option_text("N");
@@ -58,8 +70,12 @@ void addDeviceOptions(CLI::App& app, ViewOptions& options) {
                  "Vulkan device: its index or part of its name (default: the fastest kind)")
       ->option_text("NAME|INDEX");
   app.add_flag("--list-devices", options.listDevices, "Print the Vulkan devices and end");
-  app.add_option("--frames", options.frames, "Draw the frame N times, for the times of --stats")
+  app.add_option("--frames", options.frames,
+                 "Draw N frames, for the times of --stats or of a numbered environment")
       ->check(CLI::Range(1, 100000))
+      ->option_text("N");
+  app.add_option("--first-frame", options.firstFrame, "Number of a sequence's first frame (default: 1)")
+      ->check(CLI::Range(0, 10000000))
       ->option_text("N");
   app.add_option("--stats", options.stats, "Write times and counts as JSON")->option_text("FILE.json");
   app.add_flag("--validation", options.validation,
@@ -87,6 +103,11 @@ void checkViewOptions(const ViewOptions& options) {
   if (options.environment.empty()) fail(ExitCode::usage, "--headless needs --env IMAGE");
   if (options.output.empty()) fail(ExitCode::usage, "--headless needs -o FILE.exr or FILE.png");
   checkImageExtension(options.output);
+  if (isNumbered(options.environment) && options.frames > 1 && !isNumbered(options.output))
+    fail(ExitCode::usage,
+         "--env names a sequence: number the pictures, too, for example -o picture.####.exr; '{}' would be "
+         "written {} times",
+         options.output.string(), options.frames);
 }
 
 }  // namespace boxlight::gpu

@@ -5,7 +5,9 @@
 
 #include "common/base/cli.h"
 #include "common/image/camera.h"
+#include "common/light/environment_tilt.h"
 #include "common/light/relight.h"
+#include "runtime/light/fixed_point.h"
 
 namespace boxlight::gpu {
 
@@ -15,11 +17,13 @@ struct ViewOptions {
   std::filesystem::path asset, environment, output, stats;
   CameraOptions camera;
   bool headless = false, listDevices = false, validation = false;
-  float environmentDegrees = 0, exposure = 0;
+  float environmentDegrees = 0, environmentIntensity = 1, exposure = 0;
+  EnvironmentTilt environmentTilt;
   bool background = true;
-  uint32_t frames = 1, samples = 2, boxes = 0, layers = 8;  ///< boxes 0 = all
+  uint32_t frames = 1, firstFrame = 1, samples = 2, boxes = 0, layers = 8;  ///< boxes 0 = all
   Interpolation interpolation = Interpolation::energy;
-  uvec2 lightSize{512, 256};
+  std::optional<uvec2> lightSize;  ///< by the asset if there is none
+  SatScheme satScheme = SatScheme::compact;
   std::string device;
 };
 

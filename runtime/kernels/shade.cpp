@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/kernels/shade.h"
 
-#include <array>
-
 #include "runtime/kernels/visibility.h"
 #include "spirv/resolve_comp.h"
 #include "spirv/shade_comp.h"
@@ -20,11 +18,27 @@ std::vector<vec4> ShadedRecords::read(Device& device) const {
   return readBuffer<vec4>(device, buffer_, buffer_.size() / sizeof(vec4));
 }
 
+namespace {
+
+/// Of shade.comp, which does not look at surfaces and numbers its own.
+SurfaceConstants shadeConstants(const asset::Asset& asset, uint32_t poolCount, bool emitters,
+                                Interpolation interpolation, bool exactSums) {
+  SurfaceConstants constants{interpolation == Interpolation::weight,
+                             poolCount,
+                             isGlossy(asset),
+                             emitters,
+                             isNormalMapped(asset),
+                             hasSplitLobes(asset)};
+  constants[kConstantExactSums] = exactSums;
+  return constants;
+}
+
+}  // namespace
+
 ShadePass::ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
-                     bool emitters, Interpolation interpolation)
+                     bool emitters, Interpolation interpolation, bool exactSums)
     : pipeline_(device, bindings, shade_comp,
-                std::array<uint32_t, 6>{interpolation == Interpolation::weight, poolCount, isGlossy(asset),
-                                        emitters, isNormalMapped(asset), hasSplitLobes(asset)}) {}
+                shadeConstants(asset, poolCount, emitters, interpolation, exactSums)) {}
 
 void ShadePass::shade(Commands& commands, const Buffer& list) const {
   commands.dispatchIndirect(pipeline_, list, offsetof(VisibleHeader, groups));

@@ -21,11 +21,11 @@ class ShadedRecords {
 };
 
 /// Equation 3 for every record on the list. Made when the resident pages are known: how many pools they fill
-/// and whether anything in them emits is compiled in.
+/// and whether anything in them emits is compiled in. `exactSums`: of the light's table.
 class ShadePass {
  public:
   ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
-            bool emitters, Interpolation interpolation);
+            bool emitters, Interpolation interpolation, bool exactSums);
   /// `list`: VisibleHeader and records.
   void shade(Commands& commands, const Buffer& list) const;
 

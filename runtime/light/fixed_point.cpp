@@ -9,33 +9,31 @@
 namespace boxlight::gpu {
 namespace {
 
-// One bit less than a prefix holds: differences are decoded as signed numbers.
-constexpr int kTotalBits = kPrefixBits - 1;
-// Past these the factors would leave the range of normal floats. The darkest map that keeps all digits has an
-// energy of 2^-60.
-constexpr int kSmallestExponent = -100, kLargestExponent = 100;
-
-/// Radiance times steradian of the strongest channel.
-double strongestTotal(const Image& lightMap, const std::vector<double>& solidAngles) {
-  dvec3 total(0.0);
-  for (uint32_t y = 0; y < lightMap.height; ++y)
-    for (uint32_t x = 0; x < lightMap.width; ++x) total += solidAngles[y] * dvec3(rgbAt(lightMap, x, y));
-  return std::max({total.x, total.y, total.z});
-}
+constexpr int kExactTotalBits = 62;
+// Of texels and products rounded to floats, and so that what a difference of rounded prefixes may be below 0
+// has a place (shaders/boxlight.glsl).
+constexpr double kMargin = 1.0 + 1e-5;
+// Smaller, and factors would leave the range of floats: the darkest light that keeps all digits of a compact
+// table has an energy of 2^-58.
+constexpr double kSmallestUnit = 0x1p-100;
 
 }  // namespace
 
-FixedPoint chooseFixedPoint(const Image& lightMap) {
-  const auto solidAngles = texelSolidAngles(lightMap.width, lightMap.height);
-  constexpr double kRoundingMargin = 1.0 + 1e-6;  // the products that are summed are rounded to floats
-  const double total = strongestTotal(lightMap, solidAngles) * kRoundingMargin;
-  const int exponent =
-      total > 0.0 ? std::clamp(kTotalBits - 1 - std::ilogb(total), kSmallestExponent, kLargestExponent) : 0;
+FixedPoint chooseFixedPoint(double total, uvec2 size, SatScheme scheme) {
+  const bool compact = scheme == SatScheme::compact;
   FixedPoint fixedPoint;
-  fixedPoint.unit = std::ldexp(1.0f, -exponent);
-  for (const double solidAngle : solidAngles)
-    fixedPoint.rowFactors.push_back(float(std::ldexp(solidAngle, exponent + int(kGuardBits))));
+  if (total > 0.0)
+    fixedPoint.unit = float(std::max(
+        std::ldexp(total * kMargin, -(compact ? int(kPrefixBits) : kExactTotalBits)), kSmallestUnit));
+  const double summed = std::ldexp(double(fixedPoint.unit), compact ? -int(kGuardBits) : 0);
+  for (const double solidAngle : texelSolidAngles(size.x, size.y))
+    fixedPoint.rowFactors.push_back(float(solidAngle / summed));
   return fixedPoint;
+}
+
+double strongestTotal(const Image& environment) {
+  const dvec3 total = totalEnergy(environment);
+  return std::max({total.x, total.y, total.z});
 }
 
 }  // namespace boxlight::gpu

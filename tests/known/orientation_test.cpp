@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "common/light/environment_tilt.h"
 #include "tests/known/programs.h"
 
 using namespace boxlight;
@@ -47,6 +48,28 @@ TEST_P(Orientation, AMirrorSphereShowsTheRightColourInSixDirections) {
       for (int c = 0; c < 3; ++c)
         EXPECT_NEAR(seen[c], expected[c], 0.2)
             << "from " << axis.x << axis.y << axis.z << ", rotation " << rotation << ", channel " << c;
+    }
+}
+
+// The same under a tilted environment: rolled, pitched and turned by quarters.
+TEST_P(Orientation, AMirrorSphereShowsATiltedEnvironment) {
+  const struct {
+    EnvironmentTilt tilt;
+    float rotation;
+  } turns[] = {{{90, 0}, 0}, {{90, 90}, 90}, {{0, -90}, 180}};
+  for (const auto& [tilt, rotation] : turns)
+    for (vec3 axis : {vec3(1, 0, 0), vec3(0, 0, 1)}) {
+      const Image image = picture(
+          GetParam(), {"mirror_sphere", "axes",
+                       fmt::format("--eye {},{},{} --target 0,0,0 --fov 20 --env-pitch {} --env-roll {} "
+                                   "--env-rotation {} --size 33x33",
+                                   6 * axis.x, 6 * axis.y, 6 * axis.z, tilt.pitch, tilt.roll, rotation),
+                       "--atlas 64 --paths 128 --boxes 8", "--spp 64"});
+      const Rgb seen = objectAt(image, 16, 16),
+                expected = axisColour(vec3(worldToEnvironment(tilt, rotation) * dvec3(axis)));
+      for (int c = 0; c < 3; ++c)
+        EXPECT_NEAR(seen[c], expected[c], 0.2)
+            << "from " << axis.x << axis.y << axis.z << ", pitch " << tilt.pitch << ", channel " << c;
     }
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shipped program: exit codes, messages, outputs.
+#include <fmt/format.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -65,7 +66,7 @@ TEST_F(CommandLineTest, WritesPictureAndStats) {
   EXPECT_EQ(json["boxes_evaluated"], 128);
   EXPECT_GT(json["pages"], 1);
   EXPECT_EQ(json["frames"], 3);
-  EXPECT_EQ(json["gpu"]["passes"].size(), 7u);
+  EXPECT_EQ(json["gpu"]["passes"].size(), 6u);
 }
 
 TEST_F(CommandLineTest, LayersAreCountedAndTheirLimitIsHeard) {
@@ -85,6 +86,38 @@ TEST_F(CommandLineTest, LayersAreCountedAndTheirLimitIsHeard) {
   EXPECT_GT(nlohmann::json::parse(contents(stats))["samples_with_cut_layers"], 0);
   EXPECT_NE(err_.find("--layers"), std::string::npos);
   EXPECT_EQ(run(usual("picture.exr") + "--layers 0"), 1);
+}
+
+TEST_F(CommandLineTest, ASequenceOfEnvironmentsIsASequenceOfPictures) {
+  for (const int frame : {9, 10, 11})
+    writeImage(folder_ / fmt::format("sky.{:03}.exr", frame),
+               constantEnvironment({16, 8}, Rgb(float(frame))));
+  const std::string start =
+      asset_.string() + " --headless --size 8x8 --fov 10 --eye 0,3,0.01 --validation --env " +
+      (folder_ / "sky.###.exr").string() + " --first-frame 9 -o " + (folder_ / "out_%02d.exr").string();
+  ASSERT_EQ(run(start + " --frames 3"), 0) << err_;
+  for (const int frame : {9, 10, 11})
+    EXPECT_NEAR(readImage(folder_ / fmt::format("out_{:02}.exr", frame)).at(4, 4)[0], frame, 1e-4 * frame);
+  EXPECT_EQ(run(start + " --frames 4"), 2) << "there is no fourth";
+  EXPECT_NE(err_.find("sky.012.exr"), std::string::npos) << err_;
+  EXPECT_EQ(run(asset_.string() + " --headless --env " + (folder_ / "sky.###.exr").string() +
+                " --frames 2 -o " + (folder_ / "one.exr").string()),
+            1);
+  EXPECT_NE(err_.find("number the pictures"), std::string::npos) << err_;
+}
+
+TEST_F(CommandLineTest, IntensityAndTheTableHaveOptions) {
+  ASSERT_EQ(run(usual("a.exr")), 0) << err_;
+  ASSERT_EQ(run(usual("b.exr") + "--env-intensity 4 --sat exact"), 0) << err_;
+  const Image a = readImage(folder_ / "a.exr"), b = readImage(folder_ / "b.exr");
+  for (size_t i = 0; i < a.pixels.size(); ++i)
+    if (i % 4 != 3) {
+      ASSERT_NEAR(b.pixels[i], 4 * a.pixels[i], 1e-4f);
+    }
+  EXPECT_EQ(run(usual("c.exr") + "--env-intensity -1"), 1);
+  EXPECT_EQ(run(usual("c.exr") + "--sat big"), 1);
+  EXPECT_EQ(run(usual("c.exr") + "--sat-size 16384x8192"), 4);
+  EXPECT_NE(err_.find("holds"), std::string::npos) << err_;
 }
 
 TEST_F(CommandLineTest, SameSettingsSameBytes) {

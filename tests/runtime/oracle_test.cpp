@@ -92,7 +92,7 @@ class OracleTest : public GpuTest {
     const double offset = environmentOffset(settings_.environmentDegrees);
     const auto shaded = renderer.readShaded();
     const auto visible = renderer.readVisible();
-    const double unit = gpu::chooseFixedPoint(makeLightMap(environment, settings_.lightSize)).unit;
+    const double unit = renderer.light().unit();
     Relighter relighter(reader);
     double worst = 0, worstGradient = 0;
     const uint32_t records = uint32_t(reader.asset().records.size());

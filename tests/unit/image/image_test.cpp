@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/image/image.h"
 
+#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <fstream>
+#include <numeric>
 #include <thread>
 
 #include "common/base/error.h"
@@ -46,6 +48,37 @@ TEST_F(ImageTest, ExrKeepsEveryBit) {
     EXPECT_EQ(back.channels, channels);
     EXPECT_EQ(back.pixels, image.pixels);
   }
+}
+
+/// One pixel whose channel i holds i + 1, as half floats.
+void writeChannels(const std::filesystem::path& path, const std::vector<std::string>& names) {
+  OIIO::ImageSpec spec(1, 1, int(names.size()), OIIO::TypeDesc::HALF);
+  spec.channelnames = names;
+  std::vector<float> values(names.size());
+  std::iota(values.begin(), values.end(), 1.0f);
+  const auto output = OIIO::ImageOutput::create(path.string());
+  ASSERT_TRUE(output && output->open(path.string(), spec) &&
+              output->write_image(OIIO::TypeDesc::FLOAT, values.data()) && output->close());
+}
+
+TEST_F(ImageTest, ChannelsGoByTheirNames) {
+  const auto read = [&](const std::vector<std::string>& names) {
+    writeChannels(folder_ / "named.exr", names);
+    return readImage(folder_ / "named.exr").pixels;
+  };
+  using Pixel = std::vector<float>;
+  EXPECT_EQ(read({"B", "G", "R"}), (Pixel{3, 2, 1}));
+  EXPECT_EQ(read({"b", "g", "r"}), (Pixel{3, 2, 1}));
+  EXPECT_EQ(read({"red", "green", "blue", "alpha"}), (Pixel{1, 2, 3, 4}));
+  EXPECT_EQ(read({"Blue", "Green", "Red"}), (Pixel{3, 2, 1}));
+  EXPECT_EQ(read({"Sky.Combined.R", "Sky.Combined.G", "Sky.Combined.B", "Sky.Combined.A", "Sky.Depth.Z"}),
+            (Pixel{1, 2, 3, 4}));
+  EXPECT_EQ(read({"a.R", "a.G", "a.B", "R", "G", "B"}).size(), 3u);
+  EXPECT_EQ(read({"Y"}), (Pixel{1}));
+  writeChannels(folder_ / "chroma.exr", {"BY", "RY", "Y"});
+  EXPECT_EQ(readCode("chroma.exr"), ExitCode::invalidInput);
+  writeChannels(folder_ / "many.exr", {"a", "b", "c", "d", "e"});
+  EXPECT_EQ(readCode("many.exr"), ExitCode::invalidInput);
 }
 
 TEST_F(ImageTest, RowZeroIsTheTop) {

@@ -8,6 +8,7 @@
 #include "common/base/error.h"
 #include "common/base/log.h"
 #include "common/light/light_domain.h"
+#include "common/light/light_map.h"
 #include "tests/unit/temporary_folder.h"
 
 namespace boxlight {
@@ -88,6 +89,27 @@ TEST_F(EnvironmentFileTest, RepairsAndSaysSo) {
   EXPECT_NE(message.find("odd.exr"), std::string::npos) << message;
   EXPECT_NE(message.find("1 NaN and 2 negative"), std::string::npos) << message;
   EXPECT_NE(message.find("2 infinite"), std::string::npos) << message;
+}
+
+TEST_F(EnvironmentFileTest, WhatDevicesRoundDifferentlyIsReplaced) {
+  Image image = makeImage(2, 1, 3);
+  setRgb(image, 0, 0, {1e-40f, 3e38f, 1.0f});
+  setRgb(image, 1, 0, {kLeastRadiance, kMostRadiance, 65504.0f});
+  const Image clean = toEnvironment(image, "range");
+  EXPECT_EQ(rgbAt(clean, 0, 0), Rgb(0.0f, kMostRadiance, 1.0f));
+  EXPECT_EQ(rgbAt(clean, 1, 0), Rgb(kLeastRadiance, kMostRadiance, 65504.0f));
+}
+
+TEST(Environment, OversizedOnesAreAveragedWithTheirEnergy) {
+  Image image = makeImage(16384, 2100, 3);  // more pixels than are kept, in less memory than 16k x 8k
+  for (uint32_t y = 0; y < image.height; ++y)
+    for (uint32_t x = 0; x < image.width; ++x) image.at(x, y)[1] = float(x % 7) + 1.0f;
+  image.at(5000, 300)[1] = 1e6f;
+  const dvec3 before = totalEnergy(image);
+  const Image kept = toEnvironment(std::move(image), "large");
+  EXPECT_EQ(kept.width, 8192u);
+  EXPECT_EQ(kept.height, 1050u);
+  EXPECT_NEAR(totalEnergy(kept).y / before.y, 1.0, 1e-6);
 }
 
 TEST_F(EnvironmentFileTest, GreyAndAlphaBecomeRgb) {

@@ -18,14 +18,6 @@ Image randomEnvironment(uint32_t width, uint32_t height, uint32_t seed = 1) {
   return image;
 }
 
-dvec3 totalEnergy(const Image& image) {
-  const auto angles = texelSolidAngles(image.width, image.height);
-  dvec3 sum(0.0);
-  for (uint32_t y = 0; y < image.height; ++y)
-    for (uint32_t x = 0; x < image.width; ++x) sum += angles[y] * dvec3(rgbAt(image, x, y));
-  return sum;
-}
-
 TEST(LightMap, KeepsTheEnergyAtAnyRatio) {
   for (const uvec2 source : {uvec2(64, 32), uvec2(37, 19), uvec2(1, 1), uvec2(5, 300)})
     for (const uvec2 target : {uvec2(32, 16), uvec2(100, 50), uvec2(1, 1), uvec2(64, 32), uvec2(7, 11)}) {
