@@ -14,6 +14,9 @@ find_package(Vulkan REQUIRED)
 find_program(GLSLANG_VALIDATOR glslangValidator REQUIRED)
 # By pkg-config: the CMake files of Debian 12's OpenImageIO name folders and Python modules that it does not depend on.
 pkg_check_modules(OPENIMAGEIO REQUIRED IMPORTED_TARGET OpenImageIO)
+# Of Dear ImGui, Debian packages its back-ends in the same library.
+pkg_check_modules(IMGUI REQUIRED IMPORTED_TARGET imgui)
+find_package(glfw3 3.3 REQUIRED)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(XXHASH REQUIRED IMPORTED_TARGET libxxhash)
 find_library(TINYGLTF_LIBRARY tinygltf REQUIRED)

@@ -116,7 +116,7 @@ vec4 layeredRadiance(uvec2 pixel, Fragment fragment) {
 }
 
 void main() {
-  uvec2 pixel = gl_GlobalInvocationID.xy;
+  uvec2 pixel = gl_GlobalInvocationID.xy + uvec2(0, firstRow);
   if (any(greaterThanEqual(pixel, tile.size))) return;
   vec4 sum = vec4(0.0);
   uvec2 pending = allSamples();

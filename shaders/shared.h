@@ -62,6 +62,11 @@ SHARED_CONSTANT kLightRowSums = 6;     // RowSum
 SHARED_CONSTANT kLightEntries = 7;     // the table: kBindSummedArea of the frame
 SHARED_CONSTANT kLightHighlights = 8;  // Highlight
 
+// Bindings of the window's own set.
+SHARED_CONSTANT kBindShown = 0;    // linear RGBA, premultiplied, vec4[shownSize]
+SHARED_CONSTANT kBindTruth = 1;    // the same of the truth, vec4[truthSize]
+SHARED_CONSTANT kBindDisplay = 2;  // sRGB as RGBA8, uint[size]
+
 // Specialisation constants of every shader that looks at surfaces: what an asset does not have is not
 // compiled in.
 SHARED_CONSTANT kConstantGlossy = 0;         // any glossy kernel
@@ -148,7 +153,18 @@ struct ImageTile {
 // What the passes over an image tile are told.
 struct TilePush {
   ImageTile tile;
-  uint layers;  // drawn so far: the index of the one to draw, or the number to look at
+  uint layers;    // drawn so far: the index of the one to draw, or the number to look at
+  uint firstRow;  // of the tile's pixels to resolve
+};
+
+// What the window shows.
+struct DisplayPush {
+  uvec2 size;       // of the window, pixels
+  uvec2 shownSize;  // of the picture
+  uvec2 truthSize;
+  uint toneMap;  // ToneMap
+  uint split;    // columns from here on show the truth
+  float gain;    // 2^exposure
 };
 
 // Before the layers: `found` counts the samples of the last one (layer_count.comp).

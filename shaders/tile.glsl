@@ -8,6 +8,7 @@
 layout(push_constant) uniform Push {
   ImageTile tile;
   uint layersDrawn;
+  uint firstRow;
 };
 
 #endif

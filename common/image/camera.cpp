@@ -12,10 +12,8 @@ namespace {
 /// From the object towards the camera when the user names no eye: the front is +Z in glTF.
 const vec3 kDefaultSide = glm::normalize(vec3(0.5f, 0.4f, 1.0f));
 
-float framingDistance(float radius, float tanHalfFov, uvec2 size) {
-  const float aspect = float(size.x) / float(size.y);
-  const float narrower = std::atan(tanHalfFov * std::min(aspect, 1.0f));
-  return (radius > 0.0f ? radius : 1.0f) / std::sin(narrower);
+float tanHalfFov(const CameraOptions& options) {
+  return float(std::tan(double(options.fovDegrees) * kPiDouble / 360.0));
 }
 
 vec3 usableUp(vec3 up, vec3 forward) {
@@ -26,6 +24,13 @@ vec3 usableUp(vec3 up, vec3 forward) {
 }
 
 }  // namespace
+
+float framingDistance(vec3 boundsMin, vec3 boundsMax, const CameraOptions& options) {
+  const float radius = 0.5f * glm::length(boundsMax - boundsMin);
+  const float aspect = float(options.size.x) / float(options.size.y);
+  const float narrower = std::atan(tanHalfFov(options) * std::min(aspect, 1.0f));
+  return (radius > 0.0f ? radius : 1.0f) / std::sin(narrower);
+}
 
 void addCameraOptions(CLI::App& command, CameraOptions& options) {
   addVec3(command, "--eye", options.eye, "Camera position in metres (default: frames the object)");
@@ -46,11 +51,9 @@ vec3 Camera::direction(vec2 pixel) const {
 Camera makeCamera(const CameraOptions& options, vec3 boundsMin, vec3 boundsMax) {
   Camera camera;
   camera.size = options.size;
-  camera.tanHalfFov = float(std::tan(double(options.fovDegrees) * kPiDouble / 360.0));
+  camera.tanHalfFov = tanHalfFov(options);
   const vec3 target = options.target.value_or(0.5f * (boundsMin + boundsMax));
-  const float radius = 0.5f * glm::length(boundsMax - boundsMin);
-  camera.eye =
-      options.eye.value_or(target + framingDistance(radius, camera.tanHalfFov, options.size) * kDefaultSide);
+  camera.eye = options.eye.value_or(target + framingDistance(boundsMin, boundsMax, options) * kDefaultSide);
   const dvec3 offset = dvec3(target) - dvec3(camera.eye);  // double: squares of any float stay finite
   if (!(glm::length(offset) > 0.0)) fail(ExitCode::usage, "--eye and --target must differ");
   camera.forward = vec3(glm::normalize(offset));

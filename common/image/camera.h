@@ -14,6 +14,8 @@ struct CameraOptions {
   vec3 up{0.0f, 1.0f, 0.0f};
   float fovDegrees = 40.0f;  ///< vertical
   uvec2 size{512, 512};      ///< pixels
+
+  bool operator==(const CameraOptions&) const = default;
 };
 
 /// --eye --target --up --fov --size.
@@ -29,6 +31,8 @@ struct Camera {
   /// Unit direction of the ray through a continuous pixel position: (0,0) is the picture's top-left corner,
   /// (size) its bottom-right corner, so pixel (i,j) is the square [i,i+1) x [j,j+1).
   vec3 direction(vec2 pixel) const;
+
+  bool operator==(const Camera&) const = default;
 };
 
 /// Completes the options for an object with these bounds. Without a target the camera looks at the centre of
@@ -36,5 +40,8 @@ struct Camera {
 /// bounding sphere fits the narrower field of view. An `up` along the view direction is replaced by -Z
 /// (looking down or up) or +Y. Errors: ExitCode::usage if eye and target coincide or `up` is zero.
 Camera makeCamera(const CameraOptions& options, vec3 boundsMin, vec3 boundsMax);
+
+/// From the centre of these bounds, where their sphere fits the narrower field of view of the picture.
+float framingDistance(vec3 boundsMin, vec3 boundsMax, const CameraOptions& options);
 
 }  // namespace boxlight

@@ -173,7 +173,7 @@ void writeImage(const std::filesystem::path& path, const Image& image) {
   file.commit();
 }
 
-Image toDisplay(const Image& linear, float exposureEv) {
+Image toDisplay(const Image& linear, float exposureEv, ToneMap toneMap) {
   Image display = linear;
   const float gain = std::exp2(exposureEv);
   const uint32_t colours = hasAlpha(linear) ? linear.channels - 1 : linear.channels;
@@ -181,7 +181,9 @@ Image toDisplay(const Image& linear, float exposureEv) {
     float* p = &display.pixels[i];
     const float alpha = hasAlpha(linear) ? p[colours] : 1.0f;
     const float scale = alpha > 0.0f ? gain / alpha : gain;
-    for (uint32_t c = 0; c < colours; ++c) p[c] = encodeSrgb(p[c] * scale);
+    const Rgb radiance = colours >= 3 ? Rgb(p[0], p[1], p[2]) : Rgb(p[0]);
+    const Rgb mapped = applyToneMap(toneMap, radiance * scale);
+    for (uint32_t c = 0; c < colours; ++c) p[c] = encodeSrgb(mapped[int(c)]);
   }
   return display;
 }

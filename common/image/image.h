@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "common/base/math.h"
+#include "common/image/tone_map.h"
 
 namespace boxlight {
 
@@ -56,10 +57,10 @@ void writeImage(const std::filesystem::path& path, const Image& image);
 /// Throws the usage error of writeImage at once, before hours are spent on the picture.
 void checkImageExtension(const std::filesystem::path& path);
 
-/// The tone map of every PNG the programs write: radiance times 2^exposureEv, clamped to [0,1], sRGB-encoded.
-/// Nothing else, so that a pixel below white can be read back. Alpha is kept, and the colours of the result
-/// are straight, as PNG stores them. NaN becomes 0.
-Image toDisplay(const Image& linear, float exposureEv = 0.0f);
+/// What every PNG that the programs write holds: radiance times 2^exposureEv, tone-mapped (tone_map.h;
+/// without a curve it is clamped to [0,1]), sRGB-encoded. Alpha is kept, and the colours of the result are
+/// straight, as PNG stores them. NaN becomes 0.
+Image toDisplay(const Image& linear, float exposureEv = 0.0f, ToneMap toneMap = ToneMap::none);
 
 /// The sRGB curve of IEC 61966-2-1 for [0,1] and its inverse.
 float encodeSrgb(float linear);

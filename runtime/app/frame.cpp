@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/app/frame.h"
 
+#include <cassert>
 #include <optional>
 
 #include "common/base/log.h"
-#include "common/light/light_domain.h"
+#include "runtime/app/frame_plan.h"
 #include "runtime/kernels/layers.h"
 #include "runtime/kernels/scene_buffers.h"
 #include "runtime/kernels/shade.h"
@@ -14,165 +15,175 @@
 namespace boxlight::gpu {
 namespace {
 
-constexpr uint32_t kMaxTileSamples = 4096;  // each way: 128 MiB of visibility and depth
-
-/// Image tiles that cover the picture, within what the device's images and buffers hold.
-std::vector<ImageTile> splitPicture(const FrameSettings& settings, const DeviceLimits& limits, bool blended) {
-  const uint64_t layerBytes =
-      blended ? settings.samples * settings.samples * LayerPass::bytesPerSample(settings.layerLimit) : 0;
-  const uint64_t pixelBytes = std::max<uint64_t>(sizeof(vec4), layerBytes);
-  const uint32_t samples = std::min(limits.maxImageSize, kMaxTileSamples) / settings.samples;
-  uint32_t edge = std::min(settings.tileEdge, samples);
-  while (uint64_t(edge) * edge * pixelBytes + sizeof(LayerHeader) > limits.maxStorageBufferRange) edge /= 2;
-  std::vector<ImageTile> tiles;
-  const uvec2 size = settings.camera.size;
-  for (uint32_t y = 0; y < size.y; y += edge)
-    for (uint32_t x = 0; x < size.x; x += edge)
-      tiles.push_back({{x, y}, {std::min(edge, size.x - x), std::min(edge, size.y - y)}});
-  return tiles;
+/// Do they differ in nothing but the light, which what is visible does not depend on?
+bool seesTheSame(FrameSettings before, const FrameSettings& now) {
+  before.environmentDegrees = now.environmentDegrees;
+  before.environmentTilt = now.environmentTilt;
+  before.environmentIntensity = now.environmentIntensity;
+  before.lightSize = now.lightSize;
+  before.satScheme = now.satScheme;
+  return before == now;
 }
 
-void setLight(FrameConstants& frame, const FrameSettings& settings, const Light& light) {
-  frame.lightSize = light.size();
-  frame.lightUnit = light.unit() * settings.environmentIntensity;
-  frame.lightOffset = environmentOffset(settings.environmentDegrees);
-  frame.backgroundSize = light.imageSize();
-  const glm::mat3 turned(worldToEnvironment(settings.environmentTilt, settings.environmentDegrees));
-  for (int k = 0; k < 3; ++k) frame.toEnvironment[k] = vec4(turned[k], 0.0f);
-  frame.lightIntensity = settings.environmentIntensity;
-}
-
-FrameConstants makeConstants(const asset::Asset& asset, const FrameSettings& settings) {
-  const Camera& camera = settings.camera;
-  const float tanY = camera.tanHalfFov, tanX = tanY * float(camera.size.x) / float(camera.size.y);
-  const auto& low = asset.info.boundsMin;
-  const auto& high = asset.info.boundsMax;
-  const float diagonal = glm::length(vec3(high[0], high[1], high[2]) - vec3(low[0], low[1], low[2]));
-  FrameConstants frame{};
-  frame.eye = vec4(camera.eye, std::max(1e-4f * diagonal, 1e-6f));
-  frame.right = vec4(camera.right / tanX, 0.0f);
-  frame.up = vec4(camera.up / tanY, 0.0f);
-  frame.forward = vec4(camera.forward, 0.0f);
-  frame.rayRight = vec4(camera.right * tanX, 0.0f);
-  frame.rayUp = vec4(camera.up * tanY, 0.0f);
-  frame.imageSize = camera.size;
-  frame.samples = settings.samples;
-  frame.boxLimit = settings.boxLimit;
-  frame.atlasSize = {asset.info.atlasWidth, asset.info.atlasHeight};
-  frame.recordCount = uint32_t(asset.records.size());
-  frame.tileCount = uint32_t(asset.tiles.size());
-  frame.diffuseStream = asset.diffuseStream();
-  frame.viewTriangles = 20 * asset.info.viewFrequency * asset.info.viewFrequency;
-  return frame;
-}
-
-void addTimes(std::vector<PassTime>& total, const std::vector<PassTime>& times) {
-  for (const PassTime& time : times) {
-    const auto same =
-        std::find_if(total.begin(), total.end(), [&](const PassTime& t) { return t.name == time.name; });
-    if (same == total.end())
-      total.push_back(time);
-    else
-      same->milliseconds += time.milliseconds;
-  }
-}
+uint64_t area(uvec2 size) { return uint64_t(size.x) * size.y; }
 
 }  // namespace
 
 struct FrameRenderer::Parts {
-  Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment, const FrameSettings& chosen);
+  Parts(Device& gpu, const asset::AssetReader& assetReader, const Image& environment,
+        const FrameSettings& chosen);
+  void set(const FrameSettings& chosen, const Image* environment);
+  void setLight(const FrameSettings& before, const Image* environment);
   void showLight();
-  void findVisible();
+  SurfaceConstants makeConstants() const;
+  void fitTiles();
+  void uploadConstants();
+  void makeResident();
+  void compileShade();
   void findLayers(size_t tile);
   void drawSamples(Commands& commands, size_t tile);
-  void drawTile(Commands& commands, size_t tile);
-  void resolveTile(Commands& commands, size_t tile);
-  void shadeRecords(Commands& commands);
+  void markTile(size_t tile, std::vector<PassTime>& times);
+  void resolveTile(Commands& commands, size_t tile, uint32_t firstRow, uint32_t rows);
   void keepTile(const ImageTile& tile);
 
   Device& device;
+  const asset::AssetReader& reader;
   FrameSettings settings;
   bool blended;
   std::vector<ImageTile> tiles;      // of the picture; the first is the largest
   std::vector<uint32_t> tileLayers;  // blended ones that each tile shows
+  uvec2 tileSamples{0};              // that the buffers of a tile hold
+  bool stale = true;                 // has anything changed that what is visible depends on?
   Bindings bindings;
   SceneBuffers scene;
-  Light light;
-  FrameConstants constantsOfFrame;
+  std::optional<Light> light;
   Buffer frame;
   ShadedRecords shaded;
   SurfaceConstants constants;
   VisibilityPass visibility;
   std::optional<LayerPass> layers;
-  std::optional<ResolvePass> resolve;
-  std::optional<ResidentPages> pages;
+  ResolvePass resolve;
+  ResidentPages pages;
   std::optional<VisibilityMaps> maps;
   std::optional<ShadePass> shade;
+  uint32_t shadePools = 0;  // what `shade` was compiled for
+  bool shadeEmitters = false;
+  bool saidCut = false;
   FrameCounts counts;
   Image picture;
 };
 
-FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& reader, const Image& environment,
+FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& assetReader, const Image& environment,
                             const FrameSettings& chosen)
     : device(gpu),
+      reader(assetReader),
       settings(chosen),
       blended(isBlended(reader.asset())),
       tiles(splitPicture(settings, gpu.limits(), blended)),
       tileLayers(tiles.size()),
+      tileSamples(tiles.front().size * settings.samples),
       bindings(gpu),
       scene(gpu, bindings, reader.asset()),
-      light(gpu, environment, settings.environmentTilt, {settings.lightSize, settings.satScheme}),
-      constantsOfFrame(makeConstants(reader.asset(), settings)),
       frame(gpu, "frame constants", sizeof(FrameConstants)),
       shaded(gpu, bindings, reader.asset()),
-      constants(surfaceConstants(reader.asset(), settings.background, blended ? settings.layerLimit : 0)),
-      visibility(gpu, bindings, reader.asset(), constants, tiles.front().size * settings.samples),
-      picture(makeImage(settings.camera.size.x, settings.camera.size.y, 4)) {
-  constants[kConstantExactSums] = settings.satScheme == SatScheme::exact;
+      constants(makeConstants()),
+      visibility(gpu, bindings, reader.asset(), constants, tileSamples),
+      resolve(gpu, bindings, constants, area(tiles.front().size)),
+      pages(gpu, bindings, reader, settings.poolBytes, settings.threads) {
+  if (blended) layers.emplace(gpu, bindings, reader.asset(), constants, tileSamples, settings.layerLimit);
+  if (hasSplitLobes(reader.asset())) maps.emplace(gpu, bindings, reader.asset());
   bindings.set(kBindFrame, frame);
-  if (blended)
-    layers.emplace(gpu, bindings, reader.asset(), constants, tiles.front().size * settings.samples,
-                   settings.layerLimit);
-
-  showLight();
-  findVisible();
-  const std::vector<VisibleRecord> visible = visibility.readList(gpu);
-  pages.emplace(gpu, bindings, reader, visible, settings.camera.eye, settings.poolBytes, settings.threads);
-  if (hasSplitLobes(reader.asset())) maps.emplace(gpu, bindings, reader.asset(), visible);
-  shade.emplace(gpu, bindings, reader.asset(), pages->poolCount(), pages->emitters(), settings.interpolation,
-                settings.satScheme == SatScheme::exact);
-  constants[kConstantLayers] = counts.layers;
-  resolve.emplace(gpu, bindings, constants, uint64_t(tiles.front().size.x) * tiles.front().size.y);
-  counts.visibleRecords = visible.size();
-  counts.boxes = pages->countBoxes(reader.asset(), visible, settings.boxLimit);
-  counts.pages = pages->pageCount();
-  counts.pageBytes = pages->bytes();
-  counts.sceneBytes = scene.bytes() + (maps ? maps->bytes() : 0);
+  light.emplace(device, environment, settings.environmentTilt,
+                LightSettings{settings.lightSize, settings.satScheme});
 }
 
-/// The light as it is now, built first if it has to be, for the next frame.
+SurfaceConstants FrameRenderer::Parts::makeConstants() const {
+  SurfaceConstants made = surfaceConstants(reader.asset(), blended ? settings.layerLimit : 0);
+  made[kConstantExactSums] = settings.satScheme == SatScheme::exact;
+  return made;
+}
+
+void FrameRenderer::Parts::setLight(const FrameSettings& before, const Image* environment) {
+  const bool otherTable = settings.lightSize != before.lightSize || settings.satScheme != before.satScheme;
+  if (otherTable) {
+    assert(environment);
+    light.emplace(device, *environment, settings.environmentTilt,
+                  LightSettings{settings.lightSize, settings.satScheme});
+  } else {
+    if (environment) light->setEnvironment(*environment);
+    light->setTilt(settings.environmentTilt);
+  }
+  if (settings.satScheme == before.satScheme) return;
+  constants = makeConstants();
+  resolve.specialize(constants);
+  shade.reset();
+}
+
+/// The light as it is now, built first if it has to be.
 void FrameRenderer::Parts::showLight() {
-  if (light.needsBuild()) {
+  if (light->needsBuild()) {
     counts.lightMilliseconds = 0;
     for (const PassTime& time : device.run(
-             [&](Commands& commands) { commands.pass("light table", [&] { light.build(commands); }); }))
+             [&](Commands& commands) { commands.pass("light table", [&] { light->build(commands); }); }))
       counts.lightMilliseconds += time.milliseconds;
-    light.show();
-    bindings.set(kBindSummedArea, light.table());
-    if (settings.background) bindings.set(kBindBackground, light.image());
+    light->show();
+    bindings.set(kBindSummedArea, light->table());
+    bindings.set(kBindBackground, light->image());
   }
-  setLight(constantsOfFrame, settings, light);
-  upload(device, frame, std::as_bytes(std::span(&constantsOfFrame, 1)));
+  uploadConstants();
 }
 
-void FrameRenderer::Parts::findVisible() {
-  device.run([&](Commands& commands) { visibility.clear(commands); });
-  for (size_t tile = 0; tile < tiles.size(); ++tile) {
-    if (layers) findLayers(tile);
-    device.run([&](Commands& commands) { drawTile(commands, tile); });
+void FrameRenderer::Parts::set(const FrameSettings& chosen, const Image* environment) {
+  const FrameSettings before = std::exchange(settings, chosen);
+  setLight(before, environment);
+  if (seesTheSame(before, settings)) return;
+  if (blended && settings.layerLimit != before.layerLimit) {
+    constants = makeConstants();
+    visibility = VisibilityPass(device, bindings, reader.asset(), constants, tileSamples);
+    layers.emplace(device, bindings, reader.asset(), constants, tileSamples, settings.layerLimit);
   }
-  device.run([&](Commands& commands) { visibility.compact(commands); });
-  if (counts.cutLayerSamples > 0)
+  if (settings.interpolation != before.interpolation) shade.reset();
+  fitTiles();
+  stale = true;
+}
+
+/// Buffers of a tile only grow, so that pictures of two sizes in turn cost nothing.
+void FrameRenderer::Parts::fitTiles() {
+  tiles = splitPicture(settings, device.limits(), blended);
+  tileLayers.assign(tiles.size(), 0);
+  const uvec2 needed = tiles.front().size * settings.samples;
+  if (needed.x > tileSamples.x || needed.y > tileSamples.y) {
+    tileSamples = glm::max(tileSamples, needed);
+    visibility.resize(device, bindings, tileSamples);
+    if (layers) layers->resize(device, bindings, tileSamples);
+  }
+  const uint64_t pixels = area(tiles.front().size);
+  if (pixels * sizeof(vec4) > resolve.pixels().size()) resolve.resize(device, bindings, pixels);
+}
+
+void FrameRenderer::Parts::uploadConstants() {
+  const FrameConstants values = frameConstants(reader.asset(), settings, *light);
+  upload(device, frame, std::as_bytes(std::span(&values, 1)));
+}
+
+void FrameRenderer::Parts::compileShade() {
+  if (shade && shadePools == pages.poolCount() && shadeEmitters == pages.emitters()) return;
+  shadePools = pages.poolCount();
+  shadeEmitters = pages.emitters();
+  shade.emplace(device, bindings, reader.asset(), shadePools, shadeEmitters, settings.interpolation,
+                settings.satScheme == SatScheme::exact);
+}
+
+void FrameRenderer::Parts::makeResident() {
+  const std::vector<VisibleRecord> visible = visibility.readList(device);
+  pages.require(visible, settings.camera.eye);
+  if (maps) maps->require(visible);
+  counts.visibleRecords = visible.size();
+  counts.boxes = pages.countBoxes(visible, settings.boxLimit);
+  counts.pages = pages.pageCount();
+  counts.pageBytes = pages.bytes();
+  counts.sceneBytes = scene.bytes() + (maps ? maps->bytes() : 0);
+  if (counts.cutLayerSamples > 0 && !std::exchange(saidCut, true))
     log().warn("{} samples have more than {} blended layers; the farther ones are left out: see --layers",
                counts.cutLayerSamples, settings.layerLimit);
 }
@@ -193,23 +204,22 @@ void FrameRenderer::Parts::drawSamples(Commands& commands, size_t tile) {
   });
 }
 
-void FrameRenderer::Parts::drawTile(Commands& commands, size_t tile) {
-  drawSamples(commands, tile);
-  commands.pass("mark", [&] { visibility.mark(commands, tiles[tile], tileLayers[tile]); });
+void FrameRenderer::Parts::markTile(size_t tile, std::vector<PassTime>& times) {
+  if (stale && layers) findLayers(tile);
+  addTimes(times, device.run([&](Commands& commands) {
+    drawSamples(commands, tile);
+    commands.pass("mark", [&] { visibility.mark(commands, tiles[tile], tileLayers[tile]); });
+  }));
 }
 
-void FrameRenderer::Parts::shadeRecords(Commands& commands) {
-  commands.pass("compact", [&] { visibility.compact(commands); });
-  commands.pass("shade", [&] { shade->shade(commands, visibility.list()); });
-}
-
-void FrameRenderer::Parts::resolveTile(Commands& commands, size_t tile) {
-  if (tiles.size() > 1) drawSamples(commands, tile);  // the image holds the last tile drawn
-  commands.pass("resolve", [&] { resolve->resolve(commands, tiles[tile], tileLayers[tile]); });
+void FrameRenderer::Parts::resolveTile(Commands& commands, size_t tile, uint32_t firstRow, uint32_t rows) {
+  if (tiles.size() > 1 && firstRow == 0) drawSamples(commands, tile);  // the image holds the last tile drawn
+  rows = std::min(rows, tiles[tile].size.y - firstRow);
+  commands.pass("resolve", [&] { resolve.resolve(commands, tiles[tile], tileLayers[tile], firstRow, rows); });
 }
 
 void FrameRenderer::Parts::keepTile(const ImageTile& tile) {
-  const std::vector<vec4> pixels = resolve->read(device, tile);
+  const std::vector<vec4> pixels = resolve.read(device, tile);
   for (uint32_t y = 0; y < tile.size.y; ++y)
     std::copy_n(&pixels[size_t(y) * tile.size.x].x, size_t(4) * tile.size.x,
                 picture.at(tile.origin.x, tile.origin.y + y));
@@ -223,21 +233,48 @@ FrameRenderer::FrameRenderer(Device& device, const asset::AssetReader& reader, c
 
 FrameRenderer::~FrameRenderer() = default;
 
-std::vector<PassTime> FrameRenderer::run() {
+void FrameRenderer::set(const FrameSettings& settings, const Image* environment) {
+  parts_->set(settings, environment);
+}
+
+std::vector<PassTime> FrameRenderer::start() {
   Parts& p = *parts_;
   std::vector<PassTime> times;
   const auto submit = [&](const auto& record) { addTimes(times, p.device.run(record)); };
+  if (p.stale) p.counts.layers = 0, p.counts.cutLayerSamples = 0;
+  p.showLight();
   submit([&](Commands& commands) { commands.pass("clear", [&] { p.visibility.clear(commands); }); });
-  for (size_t tile = 0; tile < p.tiles.size(); ++tile)
-    submit([&](Commands& commands) { p.drawTile(commands, tile); });
-  submit([&](Commands& commands) { p.shadeRecords(commands); });
+  for (size_t tile = 0; tile < p.tiles.size(); ++tile) p.markTile(tile, times);
+  submit([&](Commands& commands) { commands.pass("compact", [&] { p.visibility.compact(commands); }); });
+  if (p.stale) p.makeResident();
+  p.stale = false;
+  p.compileShade();
+  p.resolve.prepare(p.device, p.bindings, p.settings.background, p.counts.layers);
+  submit([&](Commands& commands) {
+    commands.pass("shade", [&] { p.shade->shade(commands, p.visibility.list()); });
+  });
+  return times;
+}
+
+std::vector<PassTime> FrameRenderer::resolve(size_t tile, uint32_t firstRow, uint32_t rows) {
+  return parts_->device.run([&](Commands& commands) { parts_->resolveTile(commands, tile, firstRow, rows); });
+}
+
+std::vector<PassTime> FrameRenderer::run() {
+  Parts& p = *parts_;
+  const uvec2 size = p.settings.camera.size;
+  if (p.picture.width != size.x || p.picture.height != size.y) p.picture = makeImage(size.x, size.y, 4);
+  std::vector<PassTime> times = start();
   for (size_t tile = 0; tile < p.tiles.size(); ++tile) {
-    submit([&](Commands& commands) { p.resolveTile(commands, tile); });
+    addTimes(times, resolve(tile));
     p.keepTile(p.tiles[tile]);
   }
   return times;
 }
 
+const FrameSettings& FrameRenderer::settings() const { return parts_->settings; }
+const std::vector<ImageTile>& FrameRenderer::tiles() const { return parts_->tiles; }
+const Buffer& FrameRenderer::pixels() const { return parts_->resolve.pixels(); }
 const Image& FrameRenderer::picture() const { return parts_->picture; }
 const FrameCounts& FrameRenderer::counts() const { return parts_->counts; }
 std::vector<vec4> FrameRenderer::readShaded() const { return parts_->shaded.read(parts_->device); }
@@ -245,20 +282,6 @@ std::vector<VisibleRecord> FrameRenderer::readVisible() const {
   return parts_->visibility.readList(parts_->device);
 }
 
-const Light& FrameRenderer::light() const { return parts_->light; }
-
-void FrameRenderer::setEnvironment(const Image& environment) {
-  parts_->light.setEnvironment(environment);
-  parts_->showLight();
-}
-
-void FrameRenderer::turnEnvironment(float degrees, EnvironmentTilt tilt, float intensity) {
-  Parts& p = *parts_;
-  p.settings.environmentDegrees = degrees;
-  p.settings.environmentTilt = tilt;
-  p.settings.environmentIntensity = intensity;
-  p.light.setTilt(tilt);
-  p.showLight();
-}
+const Light& FrameRenderer::light() const { return *parts_->light; }
 
 }  // namespace boxlight::gpu

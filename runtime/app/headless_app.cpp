@@ -11,38 +11,13 @@
 #include "common/image/image_sequence.h"
 #include "common/light/environment.h"
 #include "runtime/app/frame.h"
+#include "runtime/app/keys.h"
+#include "runtime/app/recording.h"
 #include "runtime/app/stats.h"
 #include "runtime/light/light_size.h"
 
 namespace boxlight::gpu {
 namespace {
-
-FrameSettings frameSettings(const ViewOptions& options, const asset::AssetReader& reader,
-                            const Image& environment) {
-  const asset::Info& info = reader.asset().info;
-  const auto& low = info.boundsMin;
-  const auto& high = info.boundsMax;
-  FrameSettings settings;
-  settings.camera = makeCamera(options.camera, vec3(low[0], low[1], low[2]), vec3(high[0], high[1], high[2]));
-  settings.environmentDegrees = options.environmentDegrees;
-  settings.environmentTilt = options.environmentTilt;
-  settings.environmentIntensity = options.environmentIntensity;
-  settings.samples = options.samples;
-  if (options.boxes > 0) settings.boxLimit = options.boxes;
-  settings.layerLimit = options.layers;
-  settings.interpolation = options.interpolation;
-  settings.lightSize = options.lightSize ? *options.lightSize
-                                         : chooseLightSize(reader, {environment.width, environment.height});
-  settings.satScheme = options.satScheme;
-  settings.background = options.background;
-  settings.threads = options.common.threads;
-  return settings;
-}
-
-void writePicture(const ViewOptions& options, const std::filesystem::path& output, const Image& picture) {
-  if (output.extension() == ".exr") return writeImage(output, picture);
-  writeImage(output, toDisplay(picture, options.exposure));
-}
 
 /// Frame after frame under the images of a sequence, each picture to a file of its own; the next image is
 /// read while this one's frame is drawn.
@@ -53,16 +28,21 @@ void runSequence(const ViewOptions& options, FrameRenderer& renderer, FrameTimes
   std::future<Image> next;
   for (uint32_t i = 0; i < options.frames; ++i) {
     const uint32_t frame = options.firstFrame + i;
-    if (i > 0) renderer.setEnvironment(next.get());
+    if (i > 0) {
+      const Image environment = next.get();
+      renderer.set(renderer.settings(), &environment);
+    }
     if (i + 1 < options.frames) next = read(frame + 1);
     times.add(renderer.run());
-    writePicture(options, numberedPath(options.output, frame), renderer.picture());
+    writePicture(numberedPath(options.output, frame), renderer.picture(), options.settings);
   }
 }
 
 void renderOn(Device& device, const ViewOptions& options, const asset::AssetReader& reader,
               const Image& environment) {
-  const FrameSettings settings = frameSettings(options, reader, environment);
+  const uvec2 lightSize = chooseLightSize(reader, {environment.width, environment.height});
+  const FrameSettings settings =
+      frameSettings(options.settings, reader.asset().info, lightSize, options.common.threads);
   log().debug("device {}: {}, {}", device.info().index, device.info().name, device.info().driver);
   FrameRenderer renderer(device, reader, environment, settings);
   FrameTimes times;
@@ -70,7 +50,7 @@ void renderOn(Device& device, const ViewOptions& options, const asset::AssetRead
     runSequence(options, renderer, times);
   } else {
     for (uint32_t frame = 0; frame < options.frames; ++frame) times.add(renderer.run());
-    writePicture(options, options.output, renderer.picture());
+    writePicture(options.output, renderer.picture(), options.settings);
   }
   const auto stats = describeFrame(device.info(), settings, renderer.counts(), times, options.frames);
   if (!options.stats.empty()) writeTextFile(options.stats, stats.dump(2) + "\n");
@@ -94,6 +74,8 @@ void printDevices(bool json) {
   }
   if (json) fmt::print("{}\n", list.dump(2));
 }
+
+void printKeys() { fmt::print("{}", keysAsMarkdown()); }
 
 void renderHeadless(const ViewOptions& options) {
   const asset::AssetReader reader(options.asset);

@@ -4,10 +4,7 @@
 #include <filesystem>
 
 #include "common/base/cli.h"
-#include "common/image/camera.h"
-#include "common/light/environment_tilt.h"
-#include "common/light/relight.h"
-#include "runtime/light/fixed_point.h"
+#include "runtime/app/settings.h"
 
 namespace boxlight::gpu {
 
@@ -15,15 +12,11 @@ namespace boxlight::gpu {
 struct ViewOptions {
   CommonOptions common;
   std::filesystem::path asset, environment, output, stats;
-  CameraOptions camera;
-  bool headless = false, listDevices = false, validation = false;
-  float environmentDegrees = 0, environmentIntensity = 1, exposure = 0;
-  EnvironmentTilt environmentTilt;
-  bool background = true;
-  uint32_t frames = 1, firstFrame = 1, samples = 2, boxes = 0, layers = 8;  ///< boxes 0 = all
-  Interpolation interpolation = Interpolation::energy;
-  std::optional<uvec2> lightSize;  ///< by the asset if there is none
-  SatScheme satScheme = SatScheme::compact;
+  std::filesystem::path truth, truthScene;  ///< of the window's split screen
+  std::filesystem::path captures = ".";     ///< where the window writes pictures and settings
+  ViewSettings settings;
+  bool headless = false, listDevices = false, listKeys = false, validation = false;
+  uint32_t frames = 1, firstFrame = 1;
   std::string device;
 };
 

@@ -18,6 +18,15 @@ std::vector<uint32_t> blendedTriangles(const asset::Asset& asset) {
 
 uint64_t area(uvec2 size) { return uint64_t(size.x) * size.y; }
 
+Buffer makeLayers(const Device& device, uvec2 tileSamples, uint32_t limit) {
+  return {device, "blended layers",
+          sizeof(LayerHeader) + area(tileSamples) * LayerPass::bytesPerSample(limit)};
+}
+
+Buffer makeDepths(const Device& device, uvec2 tileSamples) {
+  return {device, "depths of blended layers", area(tileSamples) * 2 * sizeof(float)};
+}
+
 std::span<const std::byte> bytesOf(const TilePush& push) { return std::as_bytes(std::span(&push, 1)); }
 
 }  // namespace
@@ -29,13 +38,21 @@ LayerPass::LayerPass(Device& device, Bindings& bindings, const asset::Asset& ass
                      const SurfaceConstants& constants, uvec2 tileSamples, uint32_t limit)
     : limit_(limit),
       triangles_(makeBuffer(device, "blended triangles", blendedTriangles(asset))),
-      layers_(device, "blended layers", sizeof(LayerHeader) + area(tileSamples) * bytesPerSample(limit)),
-      depths_(device, "depths of blended layers", area(tileSamples) * 2 * sizeof(float)),
+      layers_(makeLayers(device, tileSamples, limit)),
+      depths_(makeDepths(device, tileSamples)),
       target_(device, tileSamples, {.pairs = true, .copiedDepth = true}),
       raster_(device, bindings, target_, layer_vert, layer_frag, constants, DepthTest::keepsLast),
       count_(device, bindings, layer_count_comp, constants),
       vertexCount_(uint32_t(3 * blendedTriangles(asset).size())) {
   bindings.set(kBindBlended, triangles_);
+  bindings.set(kBindLayers, layers_);
+  bindings.set(kBindLayerDepths, depths_);
+}
+
+void LayerPass::resize(Device& device, Bindings& bindings, uvec2 tileSamples) {
+  layers_ = makeLayers(device, tileSamples, limit_);
+  depths_ = makeDepths(device, tileSamples);
+  target_ = RasterTarget(device, tileSamples, target_.format());
   bindings.set(kBindLayers, layers_);
   bindings.set(kBindLayerDepths, depths_);
 }

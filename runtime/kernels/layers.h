@@ -16,6 +16,9 @@ class LayerPass {
   LayerPass(Device& device, Bindings& bindings, const asset::Asset& asset, const SurfaceConstants& constants,
             uvec2 tileSamples, uint32_t limit);
 
+  /// For image tiles of another size.
+  void resize(Device& device, Bindings& bindings, uvec2 tileSamples);
+
   struct Need {
     uint32_t layers = 0;      ///< that the image tile shows, no more than the limit
     uint64_t cutSamples = 0;  ///< samples that have more of them than the limit

@@ -6,18 +6,14 @@
 #include <cassert>
 #include <exception>
 #include <functional>
+#include <numeric>
 #include <thread>
 
 #include "common/base/error.h"
 #include "common/light/view_sphere.h"
-#include "shaders/shared.h"
 
 namespace boxlight::gpu {
 namespace {
-
-struct Page {
-  uint32_t stream, tile;
-};
 
 uint32_t tileOf(const asset::Asset& asset, uint32_t record) {
   const auto after =
@@ -26,8 +22,66 @@ uint32_t tileOf(const asset::Asset& asset, uint32_t record) {
   return uint32_t(after - asset.tiles.begin()) - 1;
 }
 
+bool isLoaded(const PageSlot& slot) { return (slot.maskLow | slot.maskHigh) != 0; }
+
+/// Calls `action(i)` for i below `count` from several threads; rethrows the first exception.
+void parallelFor(size_t count, int threads, const std::function<void(size_t)>& action) {
+  std::atomic<size_t> next{0};
+  std::atomic<bool> failed{false};
+  std::exception_ptr failure;
+  const auto work = [&] {
+    for (size_t i = next++; i < count && !failed; i = next++) {
+      try {
+        action(i);
+      } catch (...) {
+        if (!failed.exchange(true)) failure = std::current_exception();
+      }
+    }
+  };
+  const size_t wanted = threads > 0 ? size_t(threads) : std::max(std::thread::hardware_concurrency(), 1u);
+  std::vector<std::jthread> others(std::min(wanted, std::max<size_t>(count, 1)) - 1);
+  for (auto& thread : others) thread = std::jthread(work);
+  work();
+  others.clear();  // joins
+  if (failure) std::rethrow_exception(failure);
+}
+
+constexpr double mebibytes(uint64_t bytes) { return double(bytes) / double(1 << 20); }
+
+uint64_t sum(const std::vector<uint64_t>& values) {
+  return std::accumulate(values.begin(), values.end(), uint64_t(0));
+}
+
+}  // namespace
+
+ResidentPages::ResidentPages(Device& device, Bindings& bindings, const asset::AssetReader& reader,
+                             uint64_t poolBytes, int threads)
+    : device_(device),
+      bindings_(bindings),
+      reader_(reader),
+      poolCapacity_(std::min(poolBytes, device.limits().maxStorageBufferRange) / sizeof(PackedBox)),
+      threads_(threads),
+      lambertEmits_(reader.asset().tiles.size()),
+      glossyEmits_(reader.asset().tiles.size()),
+      slots_(reader.asset().streamMasks.size()),
+      table_(device, "page table", uint64_t(slots_.size()) * sizeof(PageSlot)) {
+  bindings.set(kBindPageTable, table_);
+}
+
+PageSlot& ResidentPages::slot(Page page) {
+  return slots_[page.stream * reader_.asset().tiles.size() + page.tile];
+}
+
+uint64_t ResidentPages::boxesOf(Page page) const {
+  const auto& asset = reader_.asset();
+  return uint64_t(std::popcount(asset.mask(page.stream, page.tile))) *
+         asset.boxesPerKernel(page.stream, page.tile);
+}
+
 /// Ascending by stream, then tile.
-std::vector<Page> neededPages(const asset::Asset& asset, std::span<const VisibleRecord> visible, vec3 eye) {
+std::vector<ResidentPages::Page> ResidentPages::neededPages(std::span<const VisibleRecord> visible,
+                                                            vec3 eye) const {
+  const auto& asset = reader_.asset();
   const size_t tileCount = asset.tiles.size();
   std::vector<bool> needed(asset.streamCount() * tileCount);
   const ViewSphere sphere(asset.info.viewFrequency);
@@ -52,111 +106,94 @@ std::vector<Page> neededPages(const asset::Asset& asset, std::span<const Visible
   return pages;
 }
 
-uint32_t boxesOf(const asset::Asset& asset, Page page) {
-  return uint32_t(std::popcount(asset.mask(page.stream, page.tile))) *
-         asset.boxesPerKernel(page.stream, page.tile);
+void ResidentPages::forget() {
+  std::fill(slots_.begin(), slots_.end(), PageSlot{});
+  for (Pool& pool : pools_) pool.boxes = 0;
+  pageCount_ = 0;
 }
 
-/// A place in a pool for every page, pool after pool. Returns the number of boxes in each pool.
-std::vector<uint64_t> placePages(const asset::Asset& asset, const std::vector<Page>& pages,
-                                 uint64_t poolCapacity, std::vector<PageSlot>& table) {
-  std::vector<uint64_t> used(1, 0);
+/// A place in a pool for every page, pool after pool, behind what is there. Returns the number of boxes in
+/// each pool.
+std::vector<uint64_t> ResidentPages::place(const std::vector<Page>& pages) {
+  std::vector<uint64_t> used;
+  for (const Pool& pool : pools_) used.push_back(pool.boxes);
+  while (used.size() > 1 && used.back() == 0) used.pop_back();
+  if (used.empty()) used.push_back(0);
   for (const Page page : pages) {
-    const uint64_t boxes = boxesOf(asset, page);
-    if (used.back() + boxes > poolCapacity) used.push_back(0);
-    const uint64_t mask = asset.mask(page.stream, page.tile);
-    table[page.stream * asset.tiles.size() + page.tile] = {uint32_t(mask), uint32_t(mask >> 32),
-                                                           uint32_t(used.back()), uint32_t(used.size() - 1)};
+    const uint64_t boxes = boxesOf(page), mask = reader_.asset().mask(page.stream, page.tile);
+    if (used.back() + boxes > poolCapacity_) used.push_back(0);
+    slot(page) = {uint32_t(mask), uint32_t(mask >> 32), uint32_t(used.back()), uint32_t(used.size() - 1)};
     used.back() += boxes;
   }
   return used;
 }
 
-/// Calls `action(i)` for i below `count` from several threads; rethrows the first exception.
-void parallelFor(size_t count, int threads, const std::function<void(size_t)>& action) {
-  std::atomic<size_t> next{0};
-  std::atomic<bool> failed{false};
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (size_t i = next++; i < count && !failed; i = next++) {
-      try {
-        action(i);
-      } catch (...) {
-        if (!failed.exchange(true)) failure = std::current_exception();
-      }
-    }
-  };
-  const size_t wanted = threads > 0 ? size_t(threads) : std::max(std::thread::hardware_concurrency(), 1u);
-  std::vector<std::jthread> others(std::min(wanted, std::max<size_t>(count, 1)) - 1);
-  for (auto& thread : others) thread = std::jthread(work);
-  work();
-  others.clear();  // joins
-  if (failure) std::rethrow_exception(failure);
-}
-
-std::vector<std::vector<PackedBox>> readPages(const asset::AssetReader& reader,
-                                              const std::vector<Page>& pages,
-                                              const std::vector<PageSlot>& table,
-                                              const std::vector<uint64_t>& used, int threads) {
-  std::vector<std::vector<PackedBox>> pools;
-  for (const uint64_t boxes : used) pools.emplace_back(boxes);
-  parallelFor(pages.size(), threads, [&](size_t i) {
-    const Page page = pages[i];
-    const PageSlot& slot = table[page.stream * reader.asset().tiles.size() + page.tile];
-    const std::vector<PackedBox> boxes = reader.page(page.stream, page.tile);
-    assert(boxes.size() == boxesOf(reader.asset(), page));
-    std::copy(boxes.begin(), boxes.end(), pools[slot.pool].begin() + slot.firstBox);
-  });
-  return pools;
-}
-
-constexpr double mebibytes(uint64_t bytes) { return double(bytes) / double(1 << 20); }
-
-void requireFit(const Device& device, const asset::AssetReader& reader, const std::vector<uint64_t>& used,
-                uint64_t poolBytes) {
+void ResidentPages::requireFit(const std::vector<uint64_t>& used) const {
   if (used.size() <= kMaxBoxPools) return;
-  uint64_t boxes = 0;
-  for (const uint64_t pool : used) boxes += pool;
   fail(ExitCode::runtime,
        "{}: this view needs {:.1f} MiB of boxes, but {} storage buffers of {:.1f} MiB are all that '{}' "
        "binds; bake with fewer "
        "boxes or a smaller atlas, or choose another device",
-       reader.path().string(), mebibytes(boxes * sizeof(PackedBox)), kMaxBoxPools, mebibytes(poolBytes),
-       device.info().name);
+       reader_.path().string(), mebibytes(sum(used) * sizeof(PackedBox)), kMaxBoxPools,
+       mebibytes(poolCapacity_ * sizeof(PackedBox)), device_.info().name);
 }
 
-}  // namespace
+void ResidentPages::noteEmission(Page page, const PackedBox& first) {
+  if (isEmission(first))
+    (page.stream == reader_.asset().diffuseStream() ? lambertEmits_ : glossyEmits_)[page.tile] = 1;
+}
 
-ResidentPages::ResidentPages(Device& device, Bindings& bindings, const asset::AssetReader& reader,
-                             std::span<const VisibleRecord> visible, vec3 eye, uint64_t poolBytes,
-                             int threads)
-    : lambertEmits_(reader.asset().tiles.size()),
-      glossyEmits_(reader.asset().tiles.size()),
-      table_(device, "page table", uint64_t(reader.asset().streamMasks.size()) * sizeof(PageSlot)) {
-  const auto& asset = reader.asset();
-  const std::vector<Page> pages = neededPages(asset, visible, eye);
-  std::vector<PageSlot> table(asset.streamMasks.size(), PageSlot{});
-  poolBytes = std::min(poolBytes, device.limits().maxStorageBufferRange);
-  const auto used = placePages(asset, pages, poolBytes / sizeof(PackedBox), table);
-  requireFit(device, reader, used, poolBytes);
-  const auto pools = readPages(reader, pages, table, used, threads);
-  for (const auto& [stream, tile] : pages) {
-    const PageSlot& slot = table[stream * asset.tiles.size() + tile];
-    if (!isEmission(pools[slot.pool][slot.firstBox])) continue;
-    (stream == asset.diffuseStream() ? lambertEmits_ : glossyEmits_)[tile] = 1;
+void ResidentPages::require(std::span<const VisibleRecord> visible, vec3 eye) {
+  const std::vector<Page> needed = neededPages(visible, eye);
+  std::vector<Page> missing;
+  for (const Page page : needed)
+    if (!isLoaded(slot(page))) missing.push_back(page);
+  if (missing.empty() && !pools_.empty()) return;
+  std::vector<uint64_t> used = place(missing);
+  if (pageCount_ > 0 && (used.size() > kMaxBoxPools || sum(used) * sizeof(PackedBox) > kKeptBytes)) {
+    forget();
+    missing = needed;
+    used = place(missing);
   }
-  for (const auto& boxes : pools) {
-    pools_.push_back(makeBuffer(device, "box pages", boxes));
-    bindings.set(kBindBoxPools + uint32_t(pools_.size()) - 1, pools_.back());
+  requireFit(used);
+  while (pools_.size() < used.size()) pools_.push_back({Buffer(device_, "box pages", 0)});
+  load(missing);
+}
+
+void ResidentPages::load(const std::vector<Page>& pages) {
+  std::vector<uint64_t> first, fresh(pools_.size());
+  for (const Pool& pool : pools_) first.push_back(pool.boxes);
+  for (const Page page : pages) fresh[slot(page).pool] += boxesOf(page);
+  std::vector<std::vector<PackedBox>> boxes;
+  for (const uint64_t count : fresh) boxes.emplace_back(count);
+  parallelFor(pages.size(), threads_, [&](size_t i) {
+    const PageSlot& place = slot(pages[i]);
+    const std::vector<PackedBox> page = reader_.page(pages[i].stream, pages[i].tile);
+    assert(page.size() == boxesOf(pages[i]));
+    std::copy(page.begin(), page.end(), boxes[place.pool].begin() + (place.firstBox - first[place.pool]));
+  });
+  for (const Page page : pages) {
+    const PageSlot& place = slot(page);
+    noteEmission(page, boxes[place.pool][place.firstBox - first[place.pool]]);
   }
-  upload(device, table_, std::as_bytes(std::span(table)));
-  bindings.set(kBindPageTable, table_);
-  pageCount_ = uint32_t(pages.size());
+  for (uint32_t p = 0; p < pools_.size(); ++p) {
+    Pool& pool = pools_[p];
+    pool.boxes += fresh[p];
+    const uint64_t bytes = pool.boxes * sizeof(PackedBox);
+    if (bytes > pool.buffer.size()) {  // exact at first, then with room for what the camera will see
+      const uint64_t room = first[p] == 0 ? bytes : std::max(bytes, bytes + bytes / 2);
+      grow(device_, pool.buffer, "box pages", std::min(room, poolCapacity_ * sizeof(PackedBox)));
+    }
+    upload(device_, pool.buffer, std::as_bytes(std::span(boxes[p])), first[p] * sizeof(PackedBox));
+    bindings_.set(kBindBoxPools + p, pool.buffer);
+  }
+  upload(device_, table_, std::as_bytes(std::span(slots_)));
+  pageCount_ += uint32_t(pages.size());
 }
 
 uint64_t ResidentPages::bytes() const {
   uint64_t total = 0;
-  for (const Buffer& pool : pools_) total += pool.size();
+  for (const Pool& pool : pools_) total += pool.buffer.size();
   return total;
 }
 
@@ -167,8 +204,8 @@ bool ResidentPages::emitters() const {
   return any(lambertEmits_) || any(glossyEmits_);
 }
 
-uint64_t ResidentPages::countBoxes(const asset::Asset& asset, std::span<const VisibleRecord> visible,
-                                   uint32_t boxLimit) const {
+uint64_t ResidentPages::countBoxes(std::span<const VisibleRecord> visible, uint32_t boxLimit) const {
+  const auto& asset = reader_.asset();
   uint64_t boxes = 0;
   for (const auto& [record, glossy] : visible) {
     const uint32_t t = tileOf(asset, record);

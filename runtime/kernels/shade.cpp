@@ -46,14 +46,35 @@ void ShadePass::shade(Commands& commands, const Buffer& list) const {
 
 ResolvePass::ResolvePass(Device& device, Bindings& bindings, const SurfaceConstants& constants,
                          uint64_t tilePixels)
-    : picture_(device, "picture", tilePixels * sizeof(vec4)),
-      pipeline_(device, bindings, resolve_comp, constants) {
+    : constants_(constants), picture_(device, "picture", tilePixels * sizeof(vec4)) {
   bindings.set(kBindPicture, picture_);
 }
 
-void ResolvePass::resolve(Commands& commands, const ImageTile& tile, uint32_t layers) const {
-  const TilePush push{tile, layers};
-  commands.dispatch(pipeline_, imageGroups(tile.size), std::as_bytes(std::span(&push, 1)));
+void ResolvePass::specialize(const SurfaceConstants& constants) {
+  constants_ = constants;
+  variants_ = {};
+  chosen_ = nullptr;
+}
+
+void ResolvePass::resize(Device& device, Bindings& bindings, uint64_t tilePixels) {
+  picture_ = Buffer(device, "picture", tilePixels * sizeof(vec4));
+  bindings.set(kBindPicture, picture_);
+}
+
+void ResolvePass::prepare(const Device& device, const Bindings& bindings, bool background, uint32_t layers) {
+  std::optional<Variant>& variant = variants_[background];
+  if (!variant || variant->layers < layers) {  // fewer are drawn by it, too
+    constants_[kConstantBackground] = background;
+    constants_[kConstantLayers] = layers;
+    variant.emplace(Variant{layers, {device, bindings, resolve_comp, constants_}});
+  }
+  chosen_ = &*variant;
+}
+
+void ResolvePass::resolve(Commands& commands, const ImageTile& tile, uint32_t layers, uint32_t firstRow,
+                          uint32_t rows) const {
+  const TilePush push{tile, layers, firstRow};
+  commands.dispatch(chosen_->pipeline, imageGroups({tile.size.x, rows}), std::as_bytes(std::span(&push, 1)));
 }
 
 std::vector<vec4> ResolvePass::read(Device& device, const ImageTile& tile) const {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
+#include <optional>
+
 #include "common/asset/asset.h"
 #include "common/light/relight.h"
 #include "runtime/kernels/surface_constants.h"
@@ -39,13 +42,28 @@ class ResolvePass {
  public:
   /// `tilePixels`: pixels of the largest image tile.
   ResolvePass(Device& device, Bindings& bindings, const SurfaceConstants& constants, uint64_t tilePixels);
-  /// `layers`: blended ones that were drawn of the tile.
-  void resolve(Commands& commands, const ImageTile& tile, uint32_t layers) const;
+  /// From the next prepare() on.
+  void specialize(const SurfaceConstants& constants);
+  /// For image tiles of another size.
+  void resize(Device& device, Bindings& bindings, uint64_t tilePixels);
+  /// Compiles what these settings need and is not there yet. `layers`: blended ones of an image tile at most.
+  void prepare(const Device& device, const Bindings& bindings, bool background, uint32_t layers);
+  /// `layers`: blended ones that were drawn of the tile; `rows` of the tile from `firstRow` on. Takes the
+  /// settings of the last prepare().
+  void resolve(Commands& commands, const ImageTile& tile, uint32_t layers, uint32_t firstRow,
+               uint32_t rows) const;
+  const Buffer& pixels() const { return picture_; }  ///< of the tile last resolved, row by row
   std::vector<vec4> read(Device& device, const ImageTile& tile) const;  ///< rows of the tile
 
  private:
+  struct Variant {
+    uint32_t layers;
+    ComputePipeline pipeline;
+  };
+  SurfaceConstants constants_;
   Buffer picture_;
-  ComputePipeline pipeline_;
+  std::array<std::optional<Variant>, 2> variants_;  // without and with a background
+  const Variant* chosen_ = nullptr;
 };
 
 }  // namespace boxlight::gpu

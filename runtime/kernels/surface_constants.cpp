@@ -45,11 +45,10 @@ bool hasSheen(const asset::Asset& asset) {
 
 bool hasSplitLobes(const asset::Asset& asset) { return !asset.visibilityMaps.empty(); }
 
-SurfaceConstants surfaceConstants(const asset::Asset& asset, bool background, uint32_t layers) {
+SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
   using Extension = asset::MaterialExtension;
   SurfaceConstants constants{};
   constants[kConstantGlossy] = isGlossy(asset);
-  constants[kConstantBackground] = background;
   constants[kConstantTextured] = !asset.textures.empty();
   constants[kConstantTransformed] = !asset.textureTransforms.empty();
   constants[kConstantColored] = isColored(asset);

@@ -22,7 +22,8 @@ bool hasSplitLobes(const asset::Asset& asset);
 /// an asset does not have is not compiled in.
 using SurfaceConstants = std::array<uint32_t, kSurfaceConstants>;
 
-/// `layers`: blended layers of a sample at most; 0 if nothing is blended.
-SurfaceConstants surfaceConstants(const asset::Asset& asset, bool background, uint32_t layers);
+/// `layers`: blended layers of a sample at most; 0 if nothing is blended. Whether there is a background is
+/// for ResolvePass to say.
+SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers);
 
 }  // namespace boxlight::gpu

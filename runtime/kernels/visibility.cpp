@@ -41,6 +41,11 @@ VisibilityPass::VisibilityPass(Device& device, Bindings& bindings, const asset::
   bindings.setVisibilityImage(target_);
 }
 
+void VisibilityPass::resize(Device& device, Bindings& bindings, uvec2 tileSamples) {
+  target_ = RasterTarget(device, tileSamples, target_.format());
+  bindings.setVisibilityImage(target_);
+}
+
 void VisibilityPass::clear(Commands& commands) const {
   commands.fill(marks_, 0);
   commands.fill(list_, 0);

@@ -21,6 +21,8 @@ class VisibilityPass {
   VisibilityPass(Device& device, Bindings& bindings, const asset::Asset& asset,
                  const SurfaceConstants& constants, uvec2 tileSamples);
 
+  /// For image tiles of another size.
+  void resize(Device& device, Bindings& bindings, uvec2 tileSamples);
   void clear(Commands& commands) const;  ///< forgets all records
   void draw(Commands& commands, const ImageTile& tile, uint32_t samples) const;
   /// The records of the tile just drawn and of its `layers` blended layers.

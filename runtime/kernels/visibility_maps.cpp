@@ -2,16 +2,19 @@
 #include "runtime/kernels/visibility_maps.h"
 
 #include <array>
-#include <cstring>
 
 #include "shaders/shared.h"
 
 namespace boxlight::gpu {
 namespace {
 
-constexpr size_t kMapWords = sizeof(VisibilityMap) / sizeof(uint32_t);
+/// As the shaders find it: which blocks have hidden cells, then the rows.
+struct BlockedMap {
+  std::array<uint32_t, kMapBlockWords> hiddenBlocks;
+  VisibilityMap map;
+};
+constexpr uint32_t kMapWords = sizeof(BlockedMap) / sizeof(uint32_t);
 
-/// By record its place in asset.visibilityMaps, or kAbsent.
 std::vector<uint32_t> mapsOfRecords(const asset::Asset& asset) {
   std::vector<uint32_t> places(asset.records.size(), kAbsent);
   uint32_t next = 0;
@@ -32,28 +35,59 @@ std::array<uint32_t, kMapBlockWords> hiddenBlocks(const VisibilityMap& map) {
   return blocks;
 }
 
-std::vector<uint32_t> gather(const asset::Asset& asset, std::span<const VisibleRecord> visible) {
-  const std::vector<uint32_t> places = mapsOfRecords(asset);
-  std::vector<uint32_t> words(places.size(), kAbsent);
-  for (const auto& [r, glossy] : visible) {
-    if (!glossy || places[r] == kAbsent) continue;
-    const size_t place = words.size();
-    words[r] = uint32_t(place);
-    const VisibilityMap& map = asset.visibilityMaps[places[r]];
-    const auto blocks = hiddenBlocks(map);
-    words.insert(words.end(), blocks.begin(), blocks.end());
-    words.resize(words.size() + kMapWords);
-    std::memcpy(&words[place + kMapBlockWords], &map, sizeof map);
-  }
-  return words;
+/// Bytes that the device reads maps from at once.
+uint64_t mostBytes(const DeviceLimits& limits) {
+  const uint64_t texels = limits.texelBuffers ? limits.maxTexels * uint64_t(sizeof(uint32_t)) : ~uint64_t(0);
+  return std::min(limits.maxStorageBufferRange, texels);
 }
 
 }  // namespace
 
-VisibilityMaps::VisibilityMaps(Device& device, Bindings& bindings, const asset::Asset& asset,
-                               std::span<const VisibleRecord> visible)
-    : buffer_(makeBuffer(device, "visibility maps", gather(asset, visible))) {
+VisibilityMaps::VisibilityMaps(Device& device, Bindings& bindings, const asset::Asset& asset)
+    : device_(device),
+      bindings_(bindings),
+      asset_(asset),
+      source_(mapsOfRecords(asset)),
+      words_(asset.records.size(), kAbsent),
+      buffer_(makeBuffer(device, "visibility maps", words_)) {
   bindings.set(kBindVisibilityMaps, buffer_);
+}
+
+uint64_t VisibilityMaps::bytesWith(size_t maps) const {
+  return words_.size() * sizeof(uint32_t) + maps * sizeof(BlockedMap);
+}
+
+std::vector<uint32_t> VisibilityMaps::missing(std::span<const VisibleRecord> visible) const {
+  std::vector<uint32_t> records;
+  for (const auto& [r, glossy] : visible)
+    if (glossy && source_[r] != kAbsent && words_[r] == kAbsent) records.push_back(r);
+  return records;
+}
+
+void VisibilityMaps::require(std::span<const VisibleRecord> visible) {
+  std::vector<uint32_t> records = missing(visible);
+  if (records.empty()) return;
+  const uint64_t limit = mostBytes(device_.limits());
+  if (count_ > 0 && bytesWith(count_ + records.size()) > limit) {
+    std::fill(words_.begin(), words_.end(), kAbsent);
+    count_ = 0;
+    records = missing(visible);
+  }
+  std::vector<BlockedMap> maps;
+  for (const uint32_t r : records) {
+    words_[r] = uint32_t(words_.size() + (count_ + maps.size()) * kMapWords);
+    const VisibilityMap& map = asset_.visibilityMaps[source_[r]];
+    maps.push_back({hiddenBlocks(map), map});
+  }
+  const uint64_t start = bytesWith(count_), end = bytesWith(count_ + maps.size());
+  if (end > buffer_.size()) {  // exact at first, then with room for what the camera will see
+    const uint64_t room = std::min(end + end / 2, std::max(limit, end));
+    grow(device_, buffer_, "visibility maps", count_ == 0 ? end : room);
+    bindings_.set(kBindVisibilityMaps, buffer_);
+  }
+  upload(device_, buffer_, std::as_bytes(std::span(words_)));
+  upload(device_, buffer_, std::as_bytes(std::span(maps)), start);
+  count_ += maps.size();
 }
 
 }  // namespace boxlight::gpu

@@ -97,4 +97,13 @@ void download(Device& device, const Buffer& buffer, std::span<std::byte> bytes, 
   });
 }
 
+void grow(Device& device, Buffer& buffer, const char* name, uint64_t size) {
+  assert(size >= buffer.size());
+  Buffer larger(device, name, size);
+  translated("copy on the device", [&] {
+    copyOnDevice(device, *buffer.native().buffer, *larger.native().buffer, {0, 0, buffer.size()});
+  });
+  buffer = std::move(larger);
+}
+
 }  // namespace boxlight::gpu

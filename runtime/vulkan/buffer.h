@@ -33,6 +33,8 @@ class Buffer {
 /// Copies bytes to or from the device and waits. The range must lie inside the buffer.
 void upload(Device& device, const Buffer& buffer, std::span<const std::byte> bytes, uint64_t offset = 0);
 void download(Device& device, const Buffer& buffer, std::span<std::byte> bytes, uint64_t offset = 0);
+/// Makes `buffer` one of `size` bytes, at least as many as it has, that starts with what it held.
+void grow(Device& device, Buffer& buffer, const char* name, uint64_t size);
 
 /// A buffer that holds `values`; 16 bytes of nothing if there are none.
 template <class T>

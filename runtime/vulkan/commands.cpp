@@ -113,6 +113,15 @@ void Commands::copyDepth(const RasterTarget& target, uvec2 extent, const Buffer&
   barrier();
 }
 
+void Commands::copyTile(const Buffer& from, const Buffer& to, const ImageTile& tile, uint32_t width) {
+  std::vector<vk::BufferCopy> rows;
+  const uint64_t bytes = tile.size.x * sizeof(vec4);
+  for (uint32_t y = 0; y < tile.size.y; ++y)
+    rows.emplace_back(y * bytes, (uint64_t(tile.origin.y + y) * width + tile.origin.x) * sizeof(vec4), bytes);
+  native_.buffer.copyBuffer(*from.native().buffer, *to.native().buffer, rows);
+  barrier();
+}
+
 void Commands::draw(const RasterPipeline& pipeline, const RasterTarget& target, uvec2 extent,
                     uint32_t vertexCount, std::span<const std::byte> push) {
   const vk::Rect2D area({0, 0}, {extent.x, extent.y});

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "runtime/vulkan/raster.h"
+#include "shaders/shared.h"
 
 namespace boxlight::gpu {
 
@@ -27,6 +28,8 @@ class Commands {
   /// The upper left `extent` of a target, row by row: its pairs, or its depths as floats (RasterFormat).
   void copySamples(const RasterTarget& target, uvec2 extent, const Buffer& to, uint64_t offset);
   void copyDepth(const RasterTarget& target, uvec2 extent, const Buffer& to, uint64_t offset);
+  /// A tile's pixels, vec4 row by row, into a picture that is `width` pixels wide.
+  void copyTile(const Buffer& from, const Buffer& to, const ImageTile& tile, uint32_t width);
   /// Clears the target, then draws into its upper left `extent`.
   void draw(const RasterPipeline& pipeline, const RasterTarget& target, uvec2 extent, uint32_t vertexCount,
             std::span<const std::byte> push);

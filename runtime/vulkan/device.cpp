@@ -6,6 +6,7 @@
 
 #include "common/base/log.h"
 #include "runtime/vulkan/native.h"
+#include "runtime/vulkan/surface.h"
 
 namespace boxlight::gpu {
 namespace {
@@ -51,12 +52,26 @@ void requireLayer(const vk::raii::Context& context) {
        kValidationLayer);
 }
 
-vk::raii::Instance makeInstance(const vk::raii::Context& context, ValidationLog* log) {
+void requireExtensions(const vk::raii::Context& context, const std::vector<const char*>& names) {
+  const auto there = context.enumerateInstanceExtensionProperties();
+  for (const std::string_view name : names)
+    if (std::none_of(there.begin(), there.end(), [&](const vk::ExtensionProperties& extension) {
+          return name == extension.extensionName.data();
+        }))
+      fail(ExitCode::runtime, "no Vulkan driver here draws into windows ({} is missing); use --headless",
+           name);
+}
+
+vk::raii::Instance makeInstance(const vk::raii::Context& context, ValidationLog* log,
+                                const WindowSystem* window = nullptr) {
   const vk::ApplicationInfo application("ptview", 1, "boxlight", 1, VK_API_VERSION_1_2);
-  if (!log) return {context, vk::InstanceCreateInfo({}, &application)};
+  std::vector<const char*> extensions;
+  if (window) extensions = window->instanceExtensions;
+  requireExtensions(context, extensions);
+  if (!log) return {context, vk::InstanceCreateInfo({}, &application, {}, extensions)};
   requireLayer(context);
   const std::array layers = {kValidationLayer};
-  const std::array extensions = {VK_EXT_DEBUG_UTILS_EXTENSION_NAME};
+  extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
   const std::array enabled = {vk::ValidationFeatureEnableEXT::eSynchronizationValidation};
   const vk::StructureChain chain(vk::InstanceCreateInfo({}, &application, layers, extensions),
                                  messengerInfo(*log), vk::ValidationFeaturesEXT(enabled));
@@ -69,6 +84,26 @@ std::optional<uint32_t> workFamily(const vk::raii::PhysicalDevice& physical) {
   for (uint32_t i = 0; i < families.size(); ++i)
     if ((families[i].queueFlags & kNeeded) == kNeeded) return i;
   return {};
+}
+
+/// The family that shows windows: the working one if it does.
+std::optional<uint32_t> presentFamily(const vk::raii::PhysicalDevice& physical, vk::SurfaceKHR surface) {
+  std::optional<uint32_t> found;
+  const auto work = workFamily(physical);
+  for (uint32_t i = 0; i < physical.getQueueFamilyProperties().size(); ++i)
+    if (physical.getSurfaceSupportKHR(i, surface) && (!found || i == work)) found = i;
+  return found;
+}
+
+/// Can it show the window at all, in some format and some mode?
+bool canPresent(const vk::raii::PhysicalDevice& physical, vk::SurfaceKHR surface) {
+  const auto extensions = physical.enumerateDeviceExtensionProperties();
+  const bool swapchains =
+      std::any_of(extensions.begin(), extensions.end(), [](const vk::ExtensionProperties& extension) {
+        return std::string_view(extension.extensionName.data()) == VK_KHR_SWAPCHAIN_EXTENSION_NAME;
+      });
+  return swapchains && presentFamily(physical, surface) && !physical.getSurfaceFormatsKHR(surface).empty() &&
+         !physical.getSurfacePresentModesKHR(surface).empty();
 }
 
 DeviceInfo describe(const vk::raii::PhysicalDevice& physical, uint32_t index) {
@@ -104,16 +139,28 @@ bool matches(const DeviceInfo& info, const std::string& select) {
   return lower(info.name).find(lower(select)) != std::string::npos;
 }
 
-uint32_t chooseDevice(const std::vector<DeviceInfo>& devices, const std::string& select) {
+/// `shows`: which of them can show the window; empty without one.
+uint32_t chooseDevice(const std::vector<DeviceInfo>& devices, const std::string& select,
+                      const std::vector<bool>& shows) {
+  bool hidden = false;
   const DeviceInfo* best = nullptr;
   std::string names;
   for (const auto& info : devices) {
     names += fmt::format("{}{}: {}", names.empty() ? "" : ", ", info.index, info.name);
     if (!info.usable || (!select.empty() && !matches(info, select))) continue;
+    if (!shows.empty() && !shows[info.index]) {
+      hidden = true;
+      continue;
+    }
     if (!best || rank(info) < rank(*best)) best = &info;
   }
   if (devices.empty())
     fail(ExitCode::runtime, "no Vulkan device; install a driver, for example mesa-vulkan-drivers");
+  if (!best && hidden)
+    fail(ExitCode::runtime,
+         "{} can show this window; there are {}. Choose another --device, or use --headless",
+         select.empty() ? "no Vulkan device" : fmt::format("no Vulkan device that matches '{}'", select),
+         names);
   if (!best && !select.empty())
     fail(ExitCode::runtime, "--device: no usable Vulkan device matches '{}'; there are {}", select, names);
   if (!best)
@@ -151,9 +198,16 @@ void openQueue(Device::Native& native) {
   native.timestampBits = native.physical.getQueueFamilyProperties()[native.queueFamily].timestampValidBits;
   native.nanosecondsPerTick = native.physical.getProperties().limits.timestampPeriod;
   const float priority = 1.0f;
-  const vk::DeviceQueueCreateInfo queue({}, native.queueFamily, 1, &priority);
-  native.device = vk::raii::Device(native.physical, vk::DeviceCreateInfo({}, queue));
+  const bool shows = *native.surface != vk::SurfaceKHR();
+  native.presentFamily = shows ? *presentFamily(native.physical, *native.surface) : native.queueFamily;
+  std::vector<vk::DeviceQueueCreateInfo> queues = {{{}, native.queueFamily, 1, &priority}};
+  if (native.presentFamily != native.queueFamily)
+    queues.emplace_back(vk::DeviceQueueCreateFlags{}, native.presentFamily, 1, &priority);
+  std::vector<const char*> extensions;
+  if (shows) extensions.push_back(VK_KHR_SWAPCHAIN_EXTENSION_NAME);
+  native.device = vk::raii::Device(native.physical, vk::DeviceCreateInfo({}, queues, {}, extensions));
   native.queue = native.device.getQueue(native.queueFamily, 0);
+  native.presentQueue = native.device.getQueue(native.presentFamily, 0);
   native.pool =
       vk::raii::CommandPool(native.device, {vk::CommandPoolCreateFlagBits::eTransient, native.queueFamily});
   native.queries = vk::raii::QueryPool(native.device, {{}, vk::QueryType::eTimestamp, 2 * kMaxPasses});
@@ -186,14 +240,22 @@ std::vector<DeviceInfo> listDevices() {
 Device::Device(const DeviceOptions& options) {
   withLoader([&] {
     native_ = std::make_unique<Native>();
-    native_->instance =
-        makeInstance(native_->context, options.validation ? native_->validation.get() : nullptr);
+    native_->instance = makeInstance(
+        native_->context, options.validation ? native_->validation.get() : nullptr, options.window);
     if (options.validation)
       native_->messenger =
           vk::raii::DebugUtilsMessengerEXT(native_->instance, messengerInfo(*native_->validation));
     vk::raii::PhysicalDevices devices(native_->instance);
     const auto infos = describeAll(devices);
-    const uint32_t chosen = chooseDevice(infos, options.select);
+    std::vector<bool> shows;
+    if (options.window) {
+      VkSurfaceKHR surface = VK_NULL_HANDLE;
+      if (options.window->makeSurface(*native_->instance, &surface) != VK_SUCCESS)
+        fail(ExitCode::runtime, "the window has no surface for Vulkan to draw on; use --headless");
+      native_->surface = vk::raii::SurfaceKHR(native_->instance, surface);
+      for (const auto& physical : devices) shows.push_back(canPresent(physical, surface));
+    }
+    const uint32_t chosen = chooseDevice(infos, options.select, shows);
     native_->info = infos[chosen];
     native_->physical = std::move(devices[chosen]);
     native_->limits = queryLimits(native_->physical);

@@ -27,10 +27,13 @@ struct DeviceLimits {
   bool texelBuffers = false;       ///< those are large enough to read light and visibility maps from
 };
 
+struct WindowSystem;  // vulkan/surface.h
+
 struct DeviceOptions {
-  std::string select;        ///< index or part of the name; empty takes the fastest kind
-  bool validation = false;   ///< load the Khronos validation layer, with synchronisation checks
-  bool texelBuffers = true;  ///< use them where they are large
+  std::string select;                    ///< index or part of the name; empty takes the fastest kind
+  bool validation = false;               ///< load the Khronos validation layer, with synchronisation checks
+  bool texelBuffers = true;              ///< use them where they are large
+  const WindowSystem* window = nullptr;  ///< where a window is to be drawn; else no device needs to show any
 };
 
 /// Messages of the validation layer. It outlives the device, so that leaks found at its end are counted too.
@@ -43,7 +46,8 @@ struct PassTime {
   double milliseconds = 0;
 };
 
-/// One Vulkan device with one queue. Errors of Vulkan leave this wing as Error(ExitCode::runtime).
+/// One Vulkan device with one queue, and one more where another one shows windows. Errors of Vulkan leave
+/// this wing as Error(ExitCode::runtime).
 class Device {
  public:
   explicit Device(const DeviceOptions& options);

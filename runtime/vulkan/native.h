@@ -15,6 +15,7 @@
 #include "runtime/vulkan/device.h"
 #include "runtime/vulkan/pipeline.h"
 #include "runtime/vulkan/raster.h"
+#include "runtime/vulkan/swapchain.h"
 
 namespace boxlight::gpu {
 
@@ -46,13 +47,14 @@ struct Device::Native {
   vk::raii::Context context;
   vk::raii::Instance instance = nullptr;
   vk::raii::DebugUtilsMessengerEXT messenger = nullptr;
+  vk::raii::SurfaceKHR surface = nullptr;  // of the window, if there is one
   vk::raii::PhysicalDevice physical = nullptr;
   DeviceInfo info;
   DeviceLimits limits;
-  uint32_t queueFamily = 0, timestampBits = 0;
+  uint32_t queueFamily = 0, presentFamily = 0, timestampBits = 0;
   double nanosecondsPerTick = 0;
   vk::raii::Device device = nullptr;
-  vk::raii::Queue queue = nullptr;
+  vk::raii::Queue queue = nullptr, presentQueue = nullptr;
   vk::raii::CommandPool pool = nullptr;
   vk::raii::QueryPool queries = nullptr;
 
@@ -98,6 +100,30 @@ struct RasterTarget::Native {
 
 struct RasterPipeline::Native {
   vk::raii::Pipeline pipeline = nullptr;
+};
+
+struct Swapchain::Native {
+  struct Image {
+    vk::raii::ImageView view = nullptr;
+    vk::raii::Framebuffer framebuffer = nullptr;
+    vk::raii::Semaphore drawn = nullptr;
+  };
+  void addImages(const vk::raii::Device& device);
+
+  vk::SurfaceFormatKHR format;
+  vk::Extent2D extent;
+  vk::raii::RenderPass pass = nullptr;
+  vk::raii::SwapchainKHR chain = nullptr;
+  std::vector<Image> images;
+  uint32_t current = 0;
+  vk::raii::CommandPool pool = nullptr;
+  vk::raii::CommandBuffer commands = nullptr;
+  vk::raii::Semaphore acquired = nullptr;
+  vk::raii::Fence done = nullptr;
+};
+
+struct SwapchainPass {
+  const vk::raii::CommandBuffer& commands;
 };
 
 /// Specialisation constants 0, 1, ... of one shader stage and what the device says for itself.

@@ -126,5 +126,6 @@ ComputePipeline::ComputePipeline(const Device& device, const Bindings& bindings,
 
 ComputePipeline::~ComputePipeline() = default;
 ComputePipeline::ComputePipeline(ComputePipeline&&) noexcept = default;
+ComputePipeline& ComputePipeline::operator=(ComputePipeline&&) noexcept = default;
 
 }  // namespace boxlight::gpu

@@ -41,6 +41,7 @@ class ComputePipeline {
                   std::span<const uint32_t> constants = {});
   ~ComputePipeline();
   ComputePipeline(ComputePipeline&&) noexcept;
+  ComputePipeline& operator=(ComputePipeline&&) noexcept;
 
   const Bindings& bindings() const { return *bindings_; }
   struct Native;

@@ -58,7 +58,7 @@ void makeImage(const Device::Native& native, uvec2 size, vk::Format format, vk::
 }  // namespace
 
 RasterTarget::RasterTarget(Device& device, uvec2 size, RasterFormat format)
-    : size_(size), native_(std::make_unique<Native>()) {
+    : size_(size), format_(format), native_(std::make_unique<Native>()) {
   translated("visibility image", [&] {
     const auto& native = device.native();
     using Use = vk::ImageUsageFlagBits;
@@ -79,6 +79,8 @@ RasterTarget::RasterTarget(Device& device, uvec2 size, RasterFormat format)
 }
 
 RasterTarget::~RasterTarget() = default;
+RasterTarget::RasterTarget(RasterTarget&&) noexcept = default;
+RasterTarget& RasterTarget::operator=(RasterTarget&&) noexcept = default;
 
 RasterPipeline::RasterPipeline(const Device& device, const Bindings& bindings, const RasterTarget& target,
                                std::span<const uint32_t> vertexCode, std::span<const uint32_t> fragmentCode,
@@ -115,5 +117,7 @@ RasterPipeline::RasterPipeline(const Device& device, const Bindings& bindings, c
 }
 
 RasterPipeline::~RasterPipeline() = default;
+RasterPipeline::RasterPipeline(RasterPipeline&&) noexcept = default;
+RasterPipeline& RasterPipeline::operator=(RasterPipeline&&) noexcept = default;
 
 }  // namespace boxlight::gpu

@@ -72,9 +72,12 @@ void BM_Frame(benchmark::State& state) {
   gpu::FrameSettings settings;
   settings.camera = cameraAbove(256);
   gpu::FrameRenderer renderer(device(), reader, sky(), settings);
-  float degrees = 0;
   for (auto _ : state) {
-    if (state.range(0)) renderer.turnEnvironment(degrees += 1.0f, {}, 1.0f);
+    if (state.range(0)) {
+      gpu::FrameSettings turned = renderer.settings();
+      turned.environmentDegrees += 1.0f;
+      renderer.set(turned);
+    }
     renderer.run();
   }
   std::filesystem::remove(path);

@@ -87,11 +87,18 @@ TEST_F(ViewExtremes, ConstantLightIsExactInThePicture) {
       EXPECT_LT(worst, 1e-5) << what;
     };
     expectOne(1.0f, "level");
-    renderer.turnEnvironment(33.3f, {}, 1.0f);
+    const auto turn = [&](float degrees, EnvironmentTilt tilt, float intensity) {
+      gpu::FrameSettings turned = renderer.settings();
+      turned.environmentDegrees = degrees;
+      turned.environmentTilt = tilt;
+      turned.environmentIntensity = intensity;
+      renderer.set(turned);
+    };
+    turn(33.3f, {}, 1.0f);
     expectOne(1.0f, "turned");
-    renderer.turnEnvironment(-200.0f, {37.0f, -12.0f}, 1.0f);
+    turn(-200.0f, {37.0f, -12.0f}, 1.0f);
     expectOne(1.0f, "tilted");
-    renderer.turnEnvironment(0.0f, {}, 1e6f);
+    turn(0.0f, {}, 1e6f);
     expectOne(1e6f, "brighter");
   }
 }
@@ -220,7 +227,8 @@ TEST_F(ViewExtremes, MirrorsOfTheLeastAlpha) {
       ASSERT_LE(value, 1.001e6f);
       ASSERT_GE(value, -1e-3f);
     }
-    renderer.setEnvironment(constantEnvironment({64, 32}, Rgb(2)));
+    const Image constant = constantEnvironment({64, 32}, Rgb(2));
+    renderer.set(settings_, &constant);
     renderer.run();
     for (uint32_t y = 0; y < 32; ++y)
       for (uint32_t x = 0; x < 32; ++x) {

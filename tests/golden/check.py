@@ -16,9 +16,9 @@ def separate(programs):
         for other in names:
             if name == other:
                 continue
-            figures = programs.compare(golden.FOLDER / f"{other}.exr", golden.FOLDER / f"{name}.exr")
+            figures = programs.compare(golden.stored(other), golden.stored(name))
             if not golden.exceeded(golden.load(name), figures):
-                confused.append(f"{other}.exr would pass as {name}.exr")
+                confused.append(f"{other} would pass as {name}")
     if len(names) < 8 or confused:
         raise golden.Failure("\n".join(confused) or f"only {len(names)} goldens")
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""One golden: NAME.json says how the picture is made and how far it may move, NAME.exr is the picture.
+"""One golden: NAME.json says how the picture is made and how far it may move, NAME.exr (or .png) is the picture.
 
 JSON: "about"; "scene": name and "set" of boxlight_data; "bake": options of ptbake bake; "environment": of boxlight_data;
-"view": options of ptview; "exposure": of the PNGs on the update page; "mesa": the driver that made the picture;
+"view": options of ptview; "format": ".png" for a display picture, else linear; "exposure": of the PNGs on the update page; "mesa": the driver that made the picture;
 "thresholds": the most that `ptbake compare --json` may say of each named figure.
 """
 import json
@@ -27,6 +27,15 @@ def load(name):
     return json.loads((FOLDER / f"{name}.json").read_text())
 
 
+def suffix(name):
+    """Of a golden: what the picture is written as."""
+    return load(name).get("format", ".exr")
+
+
+def stored(name):
+    return FOLDER / f"{name}{suffix(name)}"
+
+
 class Programs:
     """The built programs, and the folder below the build folder where pictures go."""
 
@@ -42,10 +51,10 @@ class Programs:
         return result.stdout
 
     def render(self, name):
-        """Scene, bake, picture: returns the path of NAME.exr in the work folder."""
+        """Scene, bake, picture: returns the path of the picture in the work folder."""
         case = load(name)
         scene, asset, light = (self.work / f"{name}{suffix}" for suffix in (".glb", ".ptb", "-light.exr"))
-        picture = self.work / f"{name}.exr"
+        picture = self.work / f"{name}{suffix(name)}"
         settings = [word for item in case["scene"].get("set", {}).items() for word in ("--set", "{}={}".format(*item))]
         self.run("boxlight_data", "scene", case["scene"]["name"], scene, *settings)
         self.run("boxlight_data", "environment", case["environment"], light)
@@ -67,14 +76,15 @@ def exceeded(case, figures):
 
 
 def check(programs, name):
-    case, golden = load(name), FOLDER / f"{name}.exr"
+    case, golden = load(name), stored(name)
     if not golden.exists():
         raise Failure(f"there is no {golden.name} yet: run tests/golden/update and look at its page")
     picture = programs.render(name)
     difference = programs.work / f"{name}-difference.png"
     found = exceeded(case, programs.compare(picture, golden, "--diff", difference))
     if found:
-        exr.write_png(programs.work / f"{name}.png", exr.read(picture), case.get("exposure", 0))
+        if suffix(name) == ".exr":
+            exr.write_png(programs.work / f"{name}.png", exr.read(picture), case.get("exposure", 0))
         mesa = programs.mesa()
         note = "" if mesa == case["mesa"] else f"\nthe golden was made with {case['mesa']}, this is {mesa}"
         raise Failure(f"{'; '.join(found)}\nsee {difference}{note}")

@@ -34,8 +34,8 @@ class CommandLineTest : public testing::Test {
   /// The exit code; what was printed is in out_ and err_.
   int run(const std::string& arguments) {
     const auto out = folder_ / "out", err = folder_ / "err";
-    const std::string command =
-        std::string(PTVIEW) + " " + arguments + " >" + out.string() + " 2>" + err.string();
+    const std::string command = "env -u DISPLAY -u WAYLAND_DISPLAY " + std::string(PTVIEW) + " " + arguments +
+                                " >" + out.string() + " 2>" + err.string();
     const int status = std::system(command.c_str());
     out_ = contents(out);
     err_ = contents(err);
@@ -135,13 +135,57 @@ TEST_F(CommandLineTest, ABackgroundMakesAPngOpaque) {
 
 TEST_F(CommandLineTest, UsageErrors) {
   EXPECT_EQ(run(""), 1);
-  EXPECT_EQ(run(asset_.string()), 1);
+  EXPECT_EQ(run(asset_.string() + " -o picture.exr"), 1);  // without --headless
   EXPECT_NE(err_.find("--headless"), std::string::npos);
   EXPECT_EQ(run(asset_.string() + " --headless"), 1);
   EXPECT_EQ(run(usual("picture.jpg")), 1);
   EXPECT_EQ(run(usual("picture.exr") + "--interpolation cubic"), 1);
   EXPECT_EQ(run(usual("picture.exr") + "--size 0x7"), 1);
   EXPECT_EQ(run(usual("picture.exr") + "--nonsense"), 1);
+  EXPECT_EQ(run(usual("picture.png") + "--tone-map filmic"), 1);
+}
+
+TEST_F(CommandLineTest, WithoutADisplayThereIsNoWindow) {
+  EXPECT_EQ(run(asset_.string()), 4);
+  EXPECT_NE(err_.find("--headless"), std::string::npos);
+}
+
+TEST_F(CommandLineTest, ToneMapsAreOfThePng) {
+  ASSERT_EQ(run(usual("linear.exr")), 0) << err_;
+  ASSERT_EQ(run(usual("mapped.exr") + "--tone-map aces --exposure 1"), 0) << err_;
+  EXPECT_EQ(contents(folder_ / "mapped.exr"), contents(folder_ / "linear.exr"));
+  const Image linear = readImage(folder_ / "linear.exr");
+  for (unsigned map = 0; map < kToneMapNames.size(); ++map) {
+    ASSERT_EQ(run(usual("mapped.png") + "--exposure 1 --tone-map " + kToneMapNames[map]), 0) << err_;
+    writeImage(folder_ / "expected.png", toDisplay(linear, 1, ToneMap(map)));
+    EXPECT_EQ(contents(folder_ / "mapped.png"), contents(folder_ / "expected.png")) << kToneMapNames[map];
+  }
+}
+
+TEST_F(CommandLineTest, ASettingsFileStandsForOptions) {
+  ASSERT_EQ(run(usual("a.png") +
+                "--eye 1,2,1 --fov 50 --env-rotation 30 --exposure -1 --tone-map neutral --boxes 1"),
+            0)
+      << err_;
+  const auto settings = folder_ / "settings.json";
+  std::ofstream(settings) << R"({"asset": "square.ptb", "environment": "axes.exr", "tone_map": "neutral",
+    "camera": {"eye": [1, 2, 1], "fov": 50, "size": [40, 30]}, "env_rotation": 30, "exposure": 5, "boxes": 1})";
+  // The option counts, wherever it stands.
+  const std::string with = "--settings " + settings.string(),
+                    output = " --headless -o " + (folder_ / "b.png").string();
+  for (const std::string& line : {with + " --exposure -1" + output, "--exposure -1 " + with + output}) {
+    ASSERT_EQ(run(line), 0) << err_;
+    EXPECT_EQ(contents(folder_ / "a.png"), contents(folder_ / "b.png"));
+  }
+  std::ofstream(settings) << R"({"exposure": "bright"})";
+  EXPECT_EQ(run(with + output), 3);
+  EXPECT_NE(err_.find("exposure"), std::string::npos);
+  EXPECT_EQ(run("--settings nothing.json" + output), 2);
+}
+
+TEST_F(CommandLineTest, ListsKeys) {
+  ASSERT_EQ(run("--list-keys"), 0);
+  EXPECT_EQ(out_.substr(0, 8), "| keys |");
 }
 
 TEST_F(CommandLineTest, InputErrors) {
