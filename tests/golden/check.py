@@ -3,6 +3,7 @@
 """check.py BUILD NAME: bakes and renders one golden with the shipped programs and compares.
 check.py BUILD --separate: every threshold must tell its golden from every other golden.
 On failure the pictures stay in BUILD/golden."""
+import itertools
 import sys
 from pathlib import Path
 
@@ -12,13 +13,10 @@ import golden
 def separate(programs):
     names = golden.cases()
     confused = []
-    for name in names:
-        for other in names:
-            if name == other:
-                continue
-            figures = programs.compare(golden.stored(other), golden.stored(name))
-            if not golden.exceeded(golden.load(name), figures):
-                confused.append(f"{other} would pass as {name}")
+    for name, other in itertools.combinations(names, 2):
+        figures = programs.compare(golden.stored(other), golden.stored(name))  # nearly the same the other way round
+        if not all(golden.exceeded(golden.load(one), figures) for one in (name, other)):
+            confused.append(f"{other} and {name} would pass as each other")
     if len(names) < 8 or confused:
         raise golden.Failure("\n".join(confused) or f"only {len(names)} goldens")
 
