@@ -27,8 +27,10 @@ Kernel findKernel(uint stream, GpuRecord record, uint boxes) {
   return Kernel(((upper ? page.maskHigh : page.maskLow) & bit) != 0, page.pool, page.firstBox + rank * boxes);
 }
 
+/// Of a kernel that is not there an empty slot: whatever else lay in memory might be no number, and no weight takes that away.
 uvec4 loadPacked(Kernel kernel, uint j) {
-  uint i = kernel.present ? kernel.first + j : 0;
+  if (!kernel.present) return uvec4(0);
+  uint i = kernel.first + j;
   if (kBoxPools > 1 && kernel.pool == 1) return boxes1[i];
   if (kBoxPools > 2 && kernel.pool == 2) return boxes2[i];
   if (kBoxPools > 3 && kernel.pool == 3) return boxes3[i];
