@@ -14,13 +14,14 @@ constexpr uint64_t kStagingSize = uint64_t(32) << 20;  // copies larger than thi
 
 constexpr double mebibytes(uint64_t bytes) { return double(bytes) / double(1 << 20); }
 
-void copyOnDevice(Device& device, vk::Buffer from, vk::Buffer to, vk::BufferCopy region) {
-  auto& native = device.native();
+/// Runs one transfer and waits; what it wrote is there for all that follows.
+template <class Record>
+void transfer(const Device::Native& native, Record&& record) {
   const vk::CommandBufferAllocateInfo allocation(*native.pool, vk::CommandBufferLevel::ePrimary, 1);
   const vk::raii::CommandBuffer commands =
       std::move(vk::raii::CommandBuffers(native.device, allocation).front());
   commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-  commands.copyBuffer(from, to, region);
+  record(commands);
   const vk::MemoryBarrier visible(vk::AccessFlagBits::eTransferWrite,
                                   vk::AccessFlagBits::eMemoryRead | vk::AccessFlagBits::eMemoryWrite);
   commands.pipelineBarrier(vk::PipelineStageFlagBits::eTransfer,
@@ -31,6 +32,13 @@ void copyOnDevice(Device& device, vk::Buffer from, vk::Buffer to, vk::BufferCopy
   native.queue.submit(vk::SubmitInfo({}, {}, submitted));
   native.queue.waitIdle();
 }
+
+void copyOnDevice(const Device& device, vk::Buffer from, vk::Buffer to, vk::BufferCopy region) {
+  transfer(device.native(), [&](const auto& commands) { commands.copyBuffer(from, to, region); });
+}
+
+/// No number, as float or half float: what nobody wrote shows wherever it is used.
+constexpr uint32_t kUnwritten = ~0u;
 
 }  // namespace
 
@@ -64,6 +72,10 @@ Buffer::Buffer(const Device& device, const char* name, uint64_t size)
     native_->memory = native.allocate(native_->buffer.getMemoryRequirements(),
                                       vk::MemoryPropertyFlagBits::eDeviceLocal, {});
     native_->buffer.bindMemory(*native_->memory, 0);
+    if (native.validated)
+      transfer(native, [&](const auto& commands) {
+        commands.fillBuffer(*native_->buffer, 0, VK_WHOLE_SIZE, kUnwritten);
+      });
   });
 }
 

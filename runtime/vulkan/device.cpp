@@ -260,6 +260,7 @@ Device::Device(const DeviceOptions& options) {
     native_->physical = std::move(devices[chosen]);
     native_->limits = queryLimits(native_->physical);
     native_->limits.texelBuffers &= options.texelBuffers;
+    native_->validated = options.validation;
     openQueue(*native_);
   });
 }

@@ -30,8 +30,10 @@ struct DeviceLimits {
 struct WindowSystem;  // vulkan/surface.h
 
 struct DeviceOptions {
-  std::string select;                    ///< index or part of the name; empty takes the fastest kind
-  bool validation = false;               ///< load the Khronos validation layer, with synchronisation checks
+  std::string select;  ///< index or part of the name; empty takes the fastest kind
+  /// Load the Khronos validation layer, with synchronisation checks, and fill new buffers with what is no
+  /// number.
+  bool validation = false;
   bool texelBuffers = true;              ///< use them where they are large
   const WindowSystem* window = nullptr;  ///< where a window is to be drawn; else no device needs to show any
 };

@@ -51,6 +51,7 @@ struct Device::Native {
   vk::raii::PhysicalDevice physical = nullptr;
   DeviceInfo info;
   DeviceLimits limits;
+  bool validated = false;
   uint32_t queueFamily = 0, presentFamily = 0, timestampBits = 0;
   double nanosecondsPerTick = 0;
   vk::raii::Device device = nullptr;
