@@ -302,6 +302,15 @@ TEST_F(SplitTest, AConstantLightIsConstantWhateverIsHidden) {
     }
 }
 
+/// A mirror in the open has no kernel at all: its pools are empty.
+TEST_F(SplitTest, WithoutAnyKernelsAPixelIsItsLobe) {
+  square_.visibility = [](uint32_t) { return openMap(); };
+  square_.diffuseBoxes = 0;
+  Finish finish = metal(0.3f);
+  std::fill_n(finish.material.baseColor, 3, 0.8f);
+  expectConstant(finish, 0);
+}
+
 TEST_F(SplitTest, BesideWholeLobesSplitOnesHaveTheirPart) {
   square_.visibility = spottedMap;
   half_ = true;
