@@ -56,6 +56,13 @@ class MovingTest : public GpuTest {
             [&] { settings_.tileEdge = 11; },
             [&] { settings_.background = true; },
             [&] { settings_.environmentDegrees = 77; },
+            [&] {
+              settings_.environmentTilt = {20, -35};
+            },
+            [&] { settings_.environmentIntensity = 3; },
+            [&] { settings_.satScheme = gpu::SatScheme::exact; },
+            [&] { settings_.environmentTilt = {}; },
+            [&] { settings_.satScheme = gpu::SatScheme::compact; },
             [&] { settings_.layerLimit = 1; },
             [&] { settings_.boxLimit = 1; },
             [&] { settings_.interpolation = Interpolation::weight; },
