@@ -25,11 +25,15 @@ struct Asset {
   std::vector<TexelRecord> records;
   std::vector<Tile> tiles;
   std::vector<VisibilityMap> visibilityMaps;  ///< of the records with kSplitLobe, in their order
+  std::vector<CellSphere> cellSphere;         ///< one of Scheme::cells, else none
   std::vector<uint64_t> streamMasks;          ///< [stream * tileCount + tile]
 
-  uint32_t streamCount() const { return info.viewCount + 1; }
+  uint32_t cellCount() const { return cellSphere.empty() ? 0 : cellSphere.front().count; }
+  uint32_t streamCount() const { return info.viewCount + 1 + cellCount(); }
   bool isSplit(uint32_t record) const { return (records[record].flags & kSplitLobe) != 0; }
+  bool hasCells(uint32_t record) const { return (records[record].flags & kDirectionCells) != 0; }
   uint32_t diffuseStream() const { return info.viewCount; }
+  uint32_t firstCellStream() const { return info.viewCount + 1; }
   uint64_t mask(uint32_t stream, uint32_t tile) const {
     return streamMasks[size_t(stream) * tiles.size() + tile];
   }

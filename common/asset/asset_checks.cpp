@@ -48,7 +48,8 @@ void checkRecord(const Asset& asset, const ChunkSet& present, uint32_t index, co
   if (present.has({chunk::kInfo}) &&
       (r.atlasX >= asset.info.atlasWidth || r.atlasY >= asset.info.atlasHeight))
     bad(recordTexel, "outside the atlas");
-  if ((r.flags & ~uint32_t(kBackSide | kSplitLobe)) != 0 || r.reserved != 0 || r.emissionSlot != kNone)
+  if ((r.flags & ~uint32_t(kBackSide | kSplitLobe | kDirectionCells)) != 0 || r.reserved != 0 ||
+      r.emissionSlot != kNone)
     bad(reserved, "unknown flags, emissionSlot or reserved field");
 }
 
@@ -95,7 +96,7 @@ void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& rep
   if (!present.has({chunk::kInfo, chunk::kTiles, chunk::kStreamMasks}) ||
       !validFrequency(asset.info.viewFrequency))
     return;
-  const uint64_t expected = (uint64_t(asset.info.viewCount) + 1) * asset.tiles.size();
+  const uint64_t expected = (uint64_t(asset.info.viewCount) + 1 + asset.cellCount()) * asset.tiles.size();
   if (asset.streamMasks.size() != expected)
     return report(counts, chunk::kStreamMasks, "", "{} masks, expected {}", asset.streamMasks.size(),
                   expected);

@@ -16,8 +16,9 @@ static_assert(std::endian::native == std::endian::little, "records are read and 
 
 inline constexpr uint8_t kMagic[8] = {0xAB, 'P', 'T', 'B', '\r', '\n', 0x1A, '\n'};
 inline constexpr uint16_t kMajorVersion = 1;  ///< a reader refuses any other
-/// 1.1 adds MATX, TXFM and kernels with emitted radiance; 1.2 the scheme split with VISI.
-inline constexpr uint16_t kMinorVersion = 2;
+/// 1.1 adds MATX, TXFM and kernels with emitted radiance; 1.2 the scheme split with VISI; 1.3 the scheme
+/// cells with CELL.
+inline constexpr uint16_t kMinorVersion = 3;
 inline constexpr uint32_t kNone = 0xFFFFFFFFu;
 inline constexpr uint32_t kTileRecords =
     64;  ///< texel records per tile at most: one bit each in a 64-bit mask
@@ -44,8 +45,8 @@ constexpr uint32_t fourCc(const char (&name)[5]) {
 }
 
 /// How transport is represented. Of a file of scheme split, the records with kSplitLobe are; the others are
-/// as in a sketch.
-enum class Scheme : uint32_t { sketch = 1, split = 2 };
+/// as in a sketch. Of a file of scheme cells, those with kDirectionCells are; the others are as in a split.
+enum class Scheme : uint32_t { sketch = 1, split = 2, cells = 3 };
 const char* schemeName(Scheme scheme);  ///< as `ptbake bake --scheme` has it
 
 enum class Codec : uint32_t {
@@ -91,14 +92,16 @@ inline constexpr uint32_t kAtlas = fourCc("ATLS");   ///< AtlasTexel[atlasWidth 
 inline constexpr uint32_t kRecords = fourCc("RECS");  ///< TexelRecord[recordCount]
 inline constexpr uint32_t kTiles = fourCc("TILE");    ///< Tile[tileCount]
 inline constexpr uint32_t kVisibilityMaps =
-    fourCc("VISI");  ///< VisibilityMap[records with kSplitLobe]; optional
+    fourCc("VISI");                                      ///< VisibilityMap[records with kSplitLobe]; optional
+inline constexpr uint32_t kCellSphere = fourCc("CELL");  ///< one CellSphere; optional
 inline constexpr uint32_t kStreamMasks = fourCc("MASK");  ///< uint64_t[streamCount][tileCount]
 inline constexpr uint32_t kPageIndex = fourCc("PGIX");    ///< PageEntry[streamCount][tileCount]
 inline constexpr uint32_t kPages = fourCc("PAGE");        ///< PackedBox pages, stream-major; Codec::pages
 }  // namespace chunk
 
 /// A stream is one set of kernels of every texel: streams 0 .. viewCount-1 are the glossy kernels of the
-/// views, stream viewCount is the view-independent Lambert kernel. streamCount = viewCount + 1.
+/// views, stream viewCount is the view-independent Lambert kernel; those of direction cells follow.
+/// streamCount = viewCount + 1 + cellCount.
 struct Info {
   uint32_t atlasWidth, atlasHeight;  ///< texels
   uint32_t viewFrequency;            ///< of the geodesic icosahedron, view_sphere.h
@@ -225,6 +228,9 @@ static_assert(sizeof(AtlasTexel) == 8);
 enum RecordFlags : uint32_t {
   kBackSide = 1u << 0,   ///< the normal below is turned to the back of the surface
   kSplitLobe = 1u << 1,  ///< glossy kernels hold all but reflections straight from the light; Scheme::split
+  /// Of a split record: what other surfaces send is stored for the directions that it comes from, not for
+  /// those that it leaves in; Scheme::cells.
+  kDirectionCells = 1u << 2,
 };
 
 /// One side of one texel: where its kernels were traced, and with which first-hit parameters (means over the
@@ -243,6 +249,14 @@ struct TexelRecord {
   uint32_t reserved;
 };
 static_assert(sizeof(TexelRecord) == 80);
+
+/// The sphere whose vertices are the directions of kernels of records with kDirectionCells: view_sphere.h, of
+/// its own frequency.
+struct CellSphere {
+  uint32_t frequency;
+  uint32_t count;  ///< 10 f^2 + 2
+};
+static_assert(sizeof(CellSphere) == 8);
 
 /// Up to kTileRecords consecutive records, neighbours in the atlas. All glossy kernels of a tile have the
 /// same number of boxes.

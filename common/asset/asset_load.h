@@ -25,6 +25,7 @@ void forEachTable(A& asset, F&& f) {
   f(chunk::kRecords, asset.records);
   f(chunk::kTiles, asset.tiles);
   f(chunk::kVisibilityMaps, asset.visibilityMaps);
+  f(chunk::kCellSphere, asset.cellSphere);
   f(chunk::kStreamMasks, asset.streamMasks);
 }
 

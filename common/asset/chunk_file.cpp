@@ -25,7 +25,7 @@ constexpr std::array kRequired = {
     chunk::kStreamMasks, chunk::kPageIndex, chunk::kPages};
 
 constexpr std::array kOptionalTables = {chunk::kMaterialExtensions, chunk::kTextureTransforms,
-                                        chunk::kVisibilityMaps};
+                                        chunk::kVisibilityMaps, chunk::kCellSphere};
 
 /// May a reader that does not know the type do without it?
 bool isSkippable(uint32_t type) { return (type & 0xFF) >= 'a' && (type & 0xFF) <= 'z'; }
@@ -41,7 +41,9 @@ std::span<std::byte> bytesOf(T& value) {
 
 }  // namespace
 
-const char* schemeName(Scheme scheme) { return scheme == Scheme::split ? "split" : "sketch"; }
+const char* schemeName(Scheme scheme) {
+  return scheme == Scheme::cells ? "cells" : scheme == Scheme::split ? "split" : "sketch";
+}
 
 bool isKnownChunk(uint32_t type) {
   return std::find(kRequired.begin(), kRequired.end(), type) != kRequired.end() || isOptionalTable(type);
@@ -125,9 +127,11 @@ bool ChunkFile::readTable(const Reporter& report) {
   readAt(sizeof header_, table);
   if (const uint64_t hash = xxh64(head); hash != header_.headHash)
     report(headHash, kHead, "chunk table", "hash {:016x}, recorded {:016x}", hash, header_.headHash);
-  if (header_.scheme != Scheme::sketch && header_.scheme != Scheme::split) {
-    report(scheme, kHead, "scheme", "transport scheme {}, this program knows {} (sketch) and {} (split)",
-           uint32_t(header_.scheme), uint32_t(Scheme::sketch), uint32_t(Scheme::split));
+  if (header_.scheme < Scheme::sketch || header_.scheme > Scheme::cells) {
+    report(scheme, kHead, "scheme",
+           "transport scheme {}, this program knows {} (sketch), {} (split) and {} (cells)",
+           uint32_t(header_.scheme), uint32_t(Scheme::sketch), uint32_t(Scheme::split),
+           uint32_t(Scheme::cells));
     return false;
   }
   chunks_.resize(count);

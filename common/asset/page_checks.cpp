@@ -49,8 +49,10 @@ void checkPageEntry(const LoadedAsset& loaded, uint32_t stream, uint32_t tile, u
 }  // namespace
 
 std::string pagePlace(const Asset& asset, uint32_t stream, uint32_t tile) {
-  return stream == asset.diffuseStream() ? fmt::format("diffuse, tile {}", tile)
-                                         : fmt::format("view {}, tile {}", stream, tile);
+  if (stream == asset.diffuseStream()) return fmt::format("diffuse, tile {}", tile);
+  const bool isCell = stream >= asset.firstCellStream();
+  return fmt::format("{} {}, tile {}", isCell ? "cell" : "view",
+                     isCell ? stream - asset.firstCellStream() : stream, tile);
 }
 
 uint64_t pageBoxCount(const Asset& asset, uint32_t stream, uint32_t tile) {
@@ -59,7 +61,7 @@ uint64_t pageBoxCount(const Asset& asset, uint32_t stream, uint32_t tile) {
 
 bool pagesCanBeFound(const LoadedAsset& loaded) {
   const Asset& asset = loaded.asset;
-  const uint64_t pages = (uint64_t(asset.info.viewCount) + 1) * asset.tiles.size();
+  const uint64_t pages = (uint64_t(asset.info.viewCount) + 1 + asset.cellCount()) * asset.tiles.size();
   return loaded.present.has(
              {chunk::kInfo, chunk::kTiles, chunk::kStreamMasks, chunk::kPageIndex, chunk::kPages}) &&
          asset.streamMasks.size() == pages && loaded.pageIndex.size() == pages;

@@ -15,7 +15,7 @@ void checkSplit(const Asset& asset, const ChunkSet& present, const Reporter& rep
   if (split != asset.visibilityMaps.size())
     report(visibilityMaps, chunk::kVisibilityMaps, "", "{} maps for {} split records",
            asset.visibilityMaps.size(), split);
-  if (split > 0 && asset.scheme != Scheme::split)
+  if (split > 0 && asset.scheme == Scheme::sketch)
     report(visibilityMaps, chunk::kRecords, "", "{} split records in a file of the scheme {}", split,
            schemeName(asset.scheme));
 }
