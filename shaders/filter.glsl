@@ -3,6 +3,7 @@
 #define BOXLIGHT_FILTER_GLSL
 
 #include "atlas.glsl"
+#include "cells.glsl"
 #include "lobe_clip.glsl"
 #include "pixel_lobe.glsl"
 
@@ -12,13 +13,21 @@ layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord recor
 layout(std430, binding = kBindMarks) readonly buffer Marks { uint marks[]; };
 layout(std430, binding = kBindShaded) readonly buffer Shaded { vec4 shaded[]; };
 
+/// Records whose hidden part depends on where the pixel's lobe points.
+struct FilteredCells {
+  uint count;
+  uint record[4];
+  float weight[4];  // among the records with split lobes
+};
+
 /// What arrives at an atlas position, demodulated: all of it from records whose lobes are whole; from the others what their hidden
 /// directions send, and the maps that clip the pixel's own lobe.
 struct FilteredRadiance {
   vec3 diffuse, glossy;
   float split;  // weight of the records with split lobes
-  vec4 hidden;  // their mean: radiance, and the part that it stands for
+  vec4 hidden;  // their mean, of those without cells: radiance, and the part that it stands for
   FilteredMaps maps;
+  FilteredCells cells;
 };
 
 /// A normal that a normal map bends, on the side that is looked at; elsewhere the records' own are good enough.
@@ -37,8 +46,14 @@ vec3 diffuseChange(uint r, vec3 normal) {
 
 void addSplit(uint r, float weight, inout FilteredRadiance sum) {
   sum.split += weight;
-  sum.hidden += weight * shaded[kShadedRadiances * r + 1];
   if (weight <= 0.0) return;
+  if (kCells && (records[r].slot & kRecordHasCells) != 0) {
+    sum.cells.record[sum.cells.count] = r;
+    sum.cells.weight[sum.cells.count] = weight;
+    ++sum.cells.count;
+  } else {
+    sum.hidden += weight * shaded[kShadedRadiances * r + 1];
+  }
   uint blocks = mapAt(r);
   for (int i = 0; i < kMapBlockWords; ++i) sum.maps.hiddenBlocks[i] |= mapAt(blocks + i);
   sum.maps.map[sum.maps.count] = blocks + kMapBlockWords;
@@ -54,6 +69,7 @@ void normalizeFilter(float total, inout FilteredRadiance sum) {
   if (!kSplit || sum.split <= 0.0) return;
   sum.hidden /= sum.split;
   for (uint k = 0; k < sum.maps.count; ++k) sum.maps.weight[k] /= sum.split;
+  for (uint k = 0; k < sum.cells.count; ++k) sum.cells.weight[k] /= sum.split;
   sum.split *= scale;
 }
 
@@ -67,6 +83,7 @@ FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy, Bend bend) {
   sum.hidden = vec4(0.0);
   sum.maps.count = 0;
   sum.maps.hiddenBlocks = uvec4(0);
+  sum.cells.count = 0;
   float total = 0.0;
   for (int k = 0; k < 4; ++k) {
     uint r = corners.record[k];
@@ -82,6 +99,14 @@ FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy, Bend bend) {
       sum.glossy += weight * shaded[kShadedRadiances * r + 1].rgb;
   }
   normalizeFilter(total, sum);
+  return sum;
+}
+
+/// Of the records with cells: what arrives from around a direction, and the part of it that points at surfaces.
+vec4 arrivingFrom(vec3 direction, FilteredCells cells) {
+  ViewBlend blend = locateView(direction, frame.viewTriangles, cells.count > 0 ? frame.cellTriangles : 0);
+  vec4 sum = vec4(0.0);
+  for (uint i = 0; i < cells.count; ++i) sum += cells.weight[i] * arrivingRadiance(records[cells.record[i]], blend);
   return sum;
 }
 

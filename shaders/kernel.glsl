@@ -4,8 +4,8 @@
 
 #include "light.glsl"
 
-layout(constant_id = 1) const uint kBoxPools = 1;
-layout(constant_id = 3) const bool kEmitters = true;  // has any kernel emitted radiance?
+layout(constant_id = kConstantBoxPools) const uint kBoxPools = 1;
+layout(constant_id = kConstantEmitters) const bool kEmitters = true;
 
 layout(std430, binding = kBindPageTable) readonly buffer PageTable { PageSlot pageTable[]; };
 layout(std430, binding = kBindBoxPools) readonly buffer Boxes0 { uvec4 boxes0[]; };
@@ -21,8 +21,9 @@ struct Kernel {
 
 Kernel findKernel(uint stream, GpuRecord record, uint boxes) {
   PageSlot page = pageTable[stream * frame.tileCount + record.tile];
-  bool upper = record.slot >= 32;
-  uint bit = 1u << (record.slot & 31u);
+  uint slot = record.slot & ~kRecordHasCells;
+  bool upper = slot >= 32;
+  uint bit = 1u << (slot & 31u);
   uint rank = bitCount((upper ? page.maskHigh : page.maskLow) & (bit - 1)) + (upper ? bitCount(page.maskLow) : 0);
   return Kernel(((upper ? page.maskHigh : page.maskLow) & bit) != 0, page.pool, page.firstBox + rank * boxes);
 }
@@ -43,5 +44,18 @@ Box loadBox(Kernel kernel, uint j) { return unpackBox(loadPacked(kernel, j)); }
 bool emits(Kernel kernel) { return kEmitters && kernel.present && isEmission(loadPacked(kernel, 0)); }
 
 vec3 emittedRadiance(Kernel kernel) { return kernel.present ? unpackEmission(loadPacked(kernel, 0)) : vec3(0.0); }
+
+/// Of a kernel of a split lobe: what its hidden directions send, and the part of the lobe that this stands for.
+vec4 hiddenRadiance(Kernel kernel, uint slots) {
+  uint first = emits(kernel) ? 1 : 0, end = kernel.present ? first + 1 + min(slots - first - 1, frame.boxLimit) : 0;
+  vec3 radiance = first > 0 ? emittedRadiance(kernel) : vec3(0.0);
+  for (uint j = first + 1; j < end; ++j) {
+    Box box = loadBox(kernel, j);
+    float omega;
+    vec3 light = integrateLight(box.u, box.du, box.latitudes, omega);
+    radiance += box.energy * light / omega;
+  }
+  return vec4(radiance, unpackHiddenPart(loadPacked(kernel, first)));
+}
 
 #endif

@@ -2,7 +2,7 @@
 #ifndef BOXLIGHT_LOBE_CLIP_GLSL
 #define BOXLIGHT_LOBE_CLIP_GLSL
 
-#include "light.glsl"
+#include "light_domain.glsl"
 #include "visibility_maps.glsl"
 
 /// The maps around a pixel; their weights sum to 1.
@@ -68,7 +68,10 @@ Rectangle quarterOf(Rectangle whole, uint i) {
 struct ClippedLobe {
   vec3 radiance;
   float hidden;
+  vec3 towards;  // sum of hidden energy times the mean direction of its box
 };
+
+layout(constant_id = kConstantCells) const bool kCells = true;
 
 const float kLeastQuartered = 8.0;  // lobe_clip.cpp
 
@@ -99,14 +102,19 @@ void addVisible(LobeBox box, FilteredMaps maps, inout vec3 radiance, inout vec3 
 
 /// lobe_clip.h: clipLobe of lobeBoxes, under the light. The boxes' energies are divided by their sum.
 ClippedLobe clipLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {
-  vec3 radiance = vec3(0.0), direct = vec3(0.0), all = vec3(0.0);
+  vec3 radiance = vec3(0.0), direct = vec3(0.0), all = vec3(0.0), towards = vec3(0.0);
   for (uint j = wanted && maps.count > 0 ? 0 : kLobeBoxes; j < kLobeBoxes; ++j) {
     LobeBox box = lobeBox(lobe, j);
     all += box.energy;
+    vec3 seen = direct;
     addVisible(box, maps, radiance, direct);
+    if (kCells) {
+      Rectangle r = box.rectangle;
+      towards += max(strength(box.energy - (direct - seen)), 0.0) * meanDirection(r.u, r.du, r.latitudes);
+    }
   }
   all = max(all, 1e-30);
-  return ClippedLobe(radiance / all, clamp(1.0 - strength(direct / all), 0.0, 1.0));
+  return ClippedLobe(radiance / all, clamp(1.0 - strength(direct / all), 0.0, 1.0), towards / strength(all));
 }
 
 const float kUnseenHidden = 1.0 / 256.0;  // lobe_clip.h

@@ -16,7 +16,7 @@ layout(std430, binding = kBindPicture) writeonly buffer Picture { vec4 picture[]
 /// Radiance by way of the view-dependent lobes: those of the pixel's own that microfacets reflect, each times its part of the
 /// factor, and with the hidden parts of them whatever other lobes there are.
 vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
-  vec3 radiance = vec3(0.0), total = factors.glossy;
+  vec3 radiance = vec3(0.0), total = factors.glossy, towards = vec3(0.0);
   for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) total -= factors.reflected[l];
   float hidden = strength(total);
   for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) {
@@ -26,10 +26,13 @@ vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
     if (assumed != vec3(0.0)) factor *= albedo / max(assumed, 1e-6);
     radiance += factor * lobe.radiance;
     hidden += strength(factor) * lobe.hidden;
+    towards += strength(factor) * lobe.towards;
     total += factor;
   }
   total = max(total, 1e-30);
-  return total * splitRadiance(radiance / total, clamp(hidden / strength(total), 0.0, 1.0), seen.hidden);
+  vec4 stored = seen.hidden;
+  if (kCells) stored += arrivingFrom(dot(towards, towards) > 0.0 ? normalize(towards) : vec3(0.0, 1.0, 0.0), seen.cells);
+  return total * splitRadiance(radiance / total, clamp(hidden / strength(total), 0.0, 1.0), stored);
 }
 
 vec3 glossyRadiance(FilteredRadiance seen, Reflectance factors) {

@@ -8,10 +8,11 @@
 #include "views.glsl"
 #include "visibility_maps.glsl"
 
-layout(constant_id = 0) const bool kInterpolateWeight = false;
-layout(constant_id = 2) const bool kGlossy = true;
-layout(constant_id = 4) const bool kNormalMapped = true;
-layout(constant_id = 5) const bool kSplit = true;
+layout(constant_id = kConstantWeights) const bool kInterpolateWeight = false;
+layout(constant_id = kConstantGlossy) const bool kGlossy = true;
+layout(constant_id = kConstantNormalMapped) const bool kNormalMapped = true;
+layout(constant_id = kConstantSplit) const bool kSplit = true;
+layout(constant_id = kConstantCells) const bool kCells = true;
 
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord records[]; };
@@ -70,7 +71,7 @@ GlossyKernels findGlossy(GpuRecord record) {
   vec3 towards = frame.eye.xyz - record.position;
   float distance = length(towards);
   vec3 view = distance > 0.0 ? towards / distance : record.normal;
-  ViewBlend blend = locateView(raiseAboveHorizon(view, record.normal, kHorizonCosine));
+  ViewBlend blend = locateView(raiseAboveHorizon(view, record.normal, kHorizonCosine), 0, frame.viewTriangles);
   kernels.emitting = false;
   for (int k = 0; k < 3; ++k) {
     kernels.of[k] = findKernel(blend.view[k], record, kernels.slots);
@@ -98,29 +99,17 @@ vec3 wholeRadiance(GlossyKernels kernels) {
   return sum;
 }
 
-/// Of a split lobe: what its hidden directions send, and the part of the lobe that this stands for. Boxes of different views show
-/// different surfaces: each view is evaluated on its own.
-vec4 hiddenRadiance(GlossyKernels kernels) {
+/// Boxes of different views show different surfaces: each view is evaluated on its own. What has cells is for its pixels to find.
+vec4 splitRadiance(GpuRecord record, GlossyKernels kernels) {
   vec4 sum = vec4(0.0);
-  for (int k = 0; k < 3; ++k) {
-    Kernel kernel = kernels.of[k];
-    uint first = emits(kernel) ? 1 : 0, boxes = kernels.slots - first - 1;
-    vec3 radiance = first > 0 ? emittedRadiance(kernel) : vec3(0.0);
-    uint end = kernels.weight[k] > 0.0 ? first + 1 + min(boxes, frame.boxLimit) : 0;
-    for (uint j = first + 1; j < end; ++j) {
-      Box box = loadBox(kernel, j);
-      float omega;
-      vec3 light = integrateLight(box.u, box.du, box.latitudes, omega);
-      radiance += box.energy * light / omega;
-    }
-    sum += kernels.weight[k] * vec4(radiance, unpackHiddenPart(loadPacked(kernel, first)));
-  }
+  for (int k = kCells && (record.slot & kRecordHasCells) != 0 ? 3 : 0; k < 3; ++k)
+    sum += kernels.weight[k] * hiddenRadiance(kernels.of[k], kernels.slots);
   return sum;
 }
 
 vec4 glossyRadiance(uint r, GpuRecord record) {
   GlossyKernels kernels = findGlossy(record);
-  if (kSplit && isSplit(r)) return hiddenRadiance(kernels);
+  if (kSplit && isSplit(r)) return splitRadiance(record, kernels);
   return vec4(wholeRadiance(kernels), 0.0);
 }
 

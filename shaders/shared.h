@@ -30,7 +30,7 @@ SHARED_CONSTANT kBindRecords = 8;              // GpuRecord
 SHARED_CONSTANT kBindTiles = 9;                // asset::Tile
 SHARED_CONSTANT kBindPageTable = 10;           // PageSlot[streamCount][tileCount]
 SHARED_CONSTANT kBindBoxPools = 11;            // kMaxBoxPools bindings of asset::PackedBox
-SHARED_CONSTANT kBindViews = 15;               // ViewTriangle
+SHARED_CONSTANT kBindViews = 15;               // ViewTriangle of the view sphere, then of the cells'
 SHARED_CONSTANT kBindSummedArea = 16;          // of the light: see kConstantExactSums
 SHARED_CONSTANT kBindLayers = 17;              // LayerHeader, then uvec2[layer][sample]: triangle + 1, alpha
 SHARED_CONSTANT kBindLayerDepths = 18;         // floats[2][sample]: of the opaque triangle, of the last layer
@@ -67,7 +67,7 @@ SHARED_CONSTANT kBindShown = 0;    // linear RGBA, premultiplied, vec4[shownSize
 SHARED_CONSTANT kBindTruth = 1;    // the same of the truth, vec4[truthSize]
 SHARED_CONSTANT kBindDisplay = 2;  // sRGB as RGBA8, uint[size]
 
-// Specialisation constants of every shader that looks at surfaces: what an asset does not have is not
+// Specialisation constants of every shader that looks at surfaces or kernels: what an asset does not have is not
 // compiled in.
 SHARED_CONSTANT kConstantGlossy = 0;         // any glossy kernel
 SHARED_CONSTANT kConstantBackground = 1;     // the environment behind the object
@@ -84,7 +84,11 @@ SHARED_CONSTANT kConstantLayers = 11;        // blended layers at most, 0 withou
 SHARED_CONSTANT kConstantNormalMapped = 12;  // any normal map of a base layer
 SHARED_CONSTANT kConstantSplit = 13;         // any asset::kSplitLobe
 SHARED_CONSTANT kConstantExactSums = 14;     // of the light's table: 64-bit prefixes, not 42-bit ones
-SHARED_CONSTANT kSurfaceConstants = 15;
+SHARED_CONSTANT kConstantCells = 15;         // any asset::kDirectionCells
+SHARED_CONSTANT kConstantBoxPools = 16;      // that resident pages fill
+SHARED_CONSTANT kConstantEmitters = 17;      // has any resident kernel emitted radiance?
+SHARED_CONSTANT kConstantWeights = 18;       // between the views boxes have the mean weight, not the mean energy
+SHARED_CONSTANT kSurfaceConstants = 19;
 SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
@@ -139,10 +143,11 @@ struct FrameConstants {
   float lightOffset;  // in u: the environment's rotation
   uvec2 backgroundSize;
   uvec2 atlasSize;
-  uint recordCount, tileCount, diffuseStream, viewTriangles;
+  uint recordCount, tileCount, diffuseStream, viewTriangles;  // the streams of cells follow the diffuse one
   vec4 toEnvironment[3];  // columns: from directions of the world to those of the image, for the background
   float lightIntensity;   // of the background; lightUnit has it
-  uint reserved[3];
+  uint cellTriangles;     // behind those of the views
+  uint reserved[2];
 };
 
 // A rectangle of the picture, in pixels.
@@ -188,8 +193,9 @@ struct GpuRecord {
   vec3 position;
   uint tile;
   vec3 normal;
-  uint slot;  // index in its tile
+  uint slot;  // index in its tile, and kRecordHasCells
 };
+SHARED_CONSTANT kRecordHasCells = 0x80000000u;  // asset::kDirectionCells
 
 // A resident page: its boxes start at `firstBox` of pool `pool`; an absent page has an empty mask.
 struct PageSlot {
@@ -197,7 +203,7 @@ struct PageSlot {
   uint firstBox, pool;
 };
 
-// A triangle of the view sphere. With row k = cross of the two other corners, dot(direction, row k) is
+// A triangle of the view sphere or the sphere of cells. With row k = cross of the two other corners, dot(direction, row k) is
 // proportional to the barycentric weight of corner k; neighbour k lies across the edge opposite to it.
 struct ViewTriangle {
   vec4 rows[3];

@@ -8,6 +8,8 @@
 namespace boxlight {
 namespace {
 
+constexpr uint32_t kDefaultCells = 362;
+
 struct Preset {
   uint32_t atlas, boxes, paths;
 };
@@ -54,13 +56,19 @@ const std::map<std::string, AtlasSource>& atlasSources() {
 
 const std::map<std::string, asset::Scheme>& schemes() {
   // The split is the most accurate at every roughness that was measured (docs/decisions/006-split-lobes.md).
-  static const std::map<std::string, asset::Scheme> table = {
-      {"auto", asset::Scheme::split}, {"sketch", asset::Scheme::sketch}, {"split", asset::Scheme::split}};
+  static const std::map<std::string, asset::Scheme> table = {{"auto", asset::Scheme::split},
+                                                             {"sketch", asset::Scheme::sketch},
+                                                             {"split", asset::Scheme::split},
+                                                             {"cells", asset::Scheme::cells}};
   return table;
 }
 
 void finishBakeOptions(BakeOptions& options) {
   applyPreset(options);
+  if (options.cells && options.scheme != "cells")
+    fail(ExitCode::usage, "--cells {}: the scheme {} has none; give --scheme cells", *options.cells,
+         options.scheme);
+  if (options.scheme == "cells" && !options.cells) options.cells = kDefaultCells;
   checkStudy(options);
 }
 
@@ -85,13 +93,16 @@ void addBakeOptions(CLI::App& command, BakeOptions& options) {
   command
       .add_option("--scheme", options.scheme,
                   "sketch: boxes are all there is to gloss. split: pixels shade their own reflection of the "
-                  "light, boxes hold what other surfaces send, sheen and transmission. auto: the most "
-                  "accurate, which is split")
-      ->check(CLI::IsMember({"auto", "sketch", "split"}))
+                  "light, boxes hold what other surfaces send, sheen and transmission. cells: split, and "
+                  "mirrors show other surfaces more sharply, at more bytes. auto: split")
+      ->check(CLI::IsMember({"auto", "sketch", "split", "cells"}))
       ->capture_default_str();
   command.add_option("--views", options.views, "View directions")
       ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))
       ->capture_default_str();
+  command.add_option("--cells", options.cells, "Of the scheme cells: directions that light comes from")
+      ->check(CLI::IsMember({42, 92, 162, 252, 362, 642}))
+      ->option_text("N [362]");
   command
       .add_option("--boxes", options.boxes,
                   "Boxes per glossy kernel; the Lambert kernel has four times as many, up to 64")

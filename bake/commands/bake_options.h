@@ -18,7 +18,7 @@ struct BakeOptions {
   TransportOptions transport;
   uint32_t atlas = 0, views = 92, boxes = 0, paths = 0;  ///< 0: as the preset says
   std::vector<uint32_t> texel;                           ///< x and y: study this one, bake nothing
-  std::optional<uint32_t> view;
+  std::optional<uint32_t> view, cells;
   std::string side = "front";
 };
 

@@ -27,7 +27,7 @@ uint32_t frequencyOf(uint32_t views) {
 
 /// Everything that the bytes of the asset depend on, and nothing else: no time, no host, no threads.
 nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
-  return {
+  nlohmann::ordered_json document = {
       {"tool", "ptbake " BOXLIGHT_VERSION},
       {"scene", {{"file", scene.path.filename().string()}, {"xxh64", fmt::format("{:016x}", scene.hash)}}},
       {"options",
@@ -41,6 +41,8 @@ nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
         {"ggx", o.transport.ggx},
         {"firefly_limit", o.transport.fireflyLimit}}},
       {"seed", o.transport.seed}};
+  if (o.cells) document["options"]["cells"] = *o.cells;
+  return document;
 }
 
 void announce(const BakeCost& cost) {
@@ -73,7 +75,8 @@ void bake(BakeOptions options, const CommonOptions& common) {
   const KernelOptions kernels{options.paths,
                               options.boxes,
                               {options.transport.bounceLimit(), options.transport.energyLimit()},
-                              options.transport.seed};
+                              options.transport.seed,
+                              frequencyOf(options.cells.value_or(options.views))};
   if (!options.texel.empty()) {
     const KernelQuery query{{options.texel[0], options.texel[1]}, options.side == "back", options.view};
     return study(studyKernel(world, map, records, sphere, kernels, query), options, common);

@@ -57,7 +57,8 @@ void fillPages(BakedScene& baked, uint32_t tile, std::span<RecordKernels> kernel
   bool lambertLit = false, glossyLit = false;
   for (const RecordKernels& record : kernels) {
     lambertLit |= isLit(record.lambert);
-    glossyLit |= std::any_of(record.glossy.begin(), record.glossy.end(), isLit);
+    glossyLit |= std::any_of(record.glossy.begin(), record.glossy.end(), isLit) ||
+                 std::any_of(record.cells.begin(), record.cells.end(), isLit);
   }
   range.diffuseBoxes += lambertLit;
   range.glossyBoxes += glossyLit;
@@ -71,6 +72,8 @@ void fillPages(BakedScene& baked, uint32_t tile, std::span<RecordKernels> kernel
   for (uint32_t r = 0; r < kernels.size(); ++r) {
     const auto& glossy = kernels[r].glossy;
     for (uint32_t view = 0; view < glossy.size(); ++view) append(view, r, glossy[view], glossyLit);
+    for (uint32_t cell = 0; cell < kernels[r].cells.size(); ++cell)
+      append(baked.asset.firstCellStream() + cell, r, kernels[r].cells[cell], glossyLit);
     append(baked.asset.diffuseStream(), r, kernels[r].lambert, lambertLit);
   }
 }
@@ -91,9 +94,11 @@ struct TileResult {
 };
 
 asset::Scheme schemeOf(const std::vector<RecordPlan>& records) {
-  const bool split =
-      std::any_of(records.begin(), records.end(), [](const RecordPlan& plan) { return plan.isSplit(); });
-  return split ? asset::Scheme::split : asset::Scheme::sketch;
+  const auto any = [&](bool (RecordPlan::*has)() const) {
+    return std::any_of(records.begin(), records.end(), [=](const RecordPlan& plan) { return (plan.*has)(); });
+  };
+  if (any(&RecordPlan::hasCells)) return asset::Scheme::cells;
+  return any(&RecordPlan::isSplit) ? asset::Scheme::split : asset::Scheme::sketch;
 }
 
 }  // namespace
@@ -105,11 +110,13 @@ uint32_t glossySlotsOf(const std::vector<RecordPlan>& records, uint32_t record,
 
 BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& sphere,
                       const KernelOptions& options) {
+  const ViewSphere cells(options.cellFrequency);
   BakeCost cost{.records = records.size()};
   for (const RecordPlan& plan : records) {
     const vec3 normal(plan.record.normal[0], plan.record.normal[1], plan.record.normal[2]);
-    const auto views = viewsOfHemisphere(sphere, normal);
-    const uint64_t glossy = plan.glossy ? uint64_t(std::count(views.begin(), views.end(), true)) : 0,
+    const auto directions = viewsOfHemisphere(plan.hasCells() ? cells : sphere, normal);
+    const uint64_t glossy =
+                       plan.glossy ? uint64_t(std::count(directions.begin(), directions.end(), true)) : 0,
                    lambert = plan.lambert;
     cost.kernels += glossy + lambert;
     cost.paths += glossy * options.glossyPaths(plan.glossyLobes) + lambert * options.lambertPaths();
@@ -132,11 +139,13 @@ BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::v
   result.atlas = indirection(map, records);
   for (const RecordPlan& plan : records) result.records.push_back(plan.record);
   result.tiles = makeTiles(records, options);
+  result.scheme = schemeOf(records);
+  if (result.scheme == asset::Scheme::cells) {
+    const uint32_t f = options.cellFrequency;
+    result.cellSphere = {{f, 10 * f * f + 2}};
+  }
   result.streamMasks.assign(result.streamCount() * result.tiles.size(), 0);
   baked.pages.resize(result.streamMasks.size());
-
-  result.scheme = schemeOf(records);
-
   std::vector<TileResult> tiles(result.tiles.size());
   tbb::enumerable_thread_specific<TexelBaker> bakers([&] { return TexelBaker(world, map, sphere, options); });
   Progress progress("bake", records.size(), style);

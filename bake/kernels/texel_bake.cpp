@@ -3,12 +3,14 @@
 
 #include "bake/kernels/box_match.h"
 #include "bake/kernels/visibility_trace.h"
+#include "common/light/ggx.h"
 
 namespace boxlight {
 namespace {
 
 constexpr uint32_t kBackStreams = 0x10000u;  ///< added to a stream's number on the back side of a texel
 constexpr uint32_t kMapStream = 0x8000u;     ///< apart from every view's
+constexpr uint32_t kCellStreams = 0x4000u;   ///< from here on those of direction cells
 
 /// The first of an origin's streams of random numbers.
 uint32_t streamsOf(const PathOrigin& origin) { return origin.back ? kBackStreams : 0u; }
@@ -26,6 +28,7 @@ TexelBaker::TexelBaker(const Intersector& world, const TexelMap& map, const View
     : world_(world),
       map_(map),
       sphere_(sphere),
+      cells_(options.cellFrequency),
       options_(options),
       tracer_(world, options.limits),
       lambertFitter_(FitOptions{.boxes = int(options.lambertBoxes()), .gridSize = 64}),
@@ -96,13 +99,34 @@ void TexelBaker::bakeSplit(const PathOrigin& origin, const GlossyKernels& kernel
     traceView(origin, view, kernels, result);
     if (!(paths_.hidden > 0.0)) continue;
     paths_.removeMirrored();
-    RecordKernel& kernel = result.glossy[view];
-    kernel.slots = pack(fit(glossyFitter_, kernels.slots - 1), kernels.slots - 1);
-    kernel.slots.insert(kernel.slots.begin(), packHiddenPart(paths_.hiddenPart()));
-    kernel.emission = paths_.emission();
+    result.glossy[view] = hiddenKernel(kernels.slots);
   }
-  key_.stream = kernels.firstStream + kMapStream;
-  result.visibility = traceVisibility(world_, origin, key_);
+}
+
+void TexelBaker::traceCell(const RecordPlan& plan, const PathOrigin& origin, uint32_t cell,
+                           const GlossyKernels& kernels, RecordKernels& result) {
+  paths_.clear();
+  key_.stream = kernels.firstStream + kCellStreams + cell;
+  const DirectionCell directions{cells_.directions()[cell], 1.0f - 2.0f / float(cells_.viewCount()),
+                                 ggx::alphaOf(plan.record.roughness)};
+  tracer_.traceIncident(origin, directions, key_, kernels.paths, paths_);
+  account(result);
+}
+
+void TexelBaker::bakeCells(const RecordPlan& plan, const PathOrigin& origin, const GlossyKernels& kernels,
+                           RecordKernels& result) {
+  result.cells.resize(cells_.viewCount());
+  for (uint32_t cell = 0; cell < cells_.viewCount(); ++cell) {
+    traceCell(plan, origin, cell, kernels, result);
+    if (paths_.hidden > 0.0) result.cells[cell] = hiddenKernel(kernels.slots);
+  }
+}
+
+/// Of the paths at hand, which hold no light that pixels reflect themselves.
+RecordKernel TexelBaker::hiddenKernel(uint32_t slots) {
+  RecordKernel kernel{pack(fit(glossyFitter_, slots - 1), slots - 1), paths_.emission()};
+  kernel.slots.insert(kernel.slots.begin(), packHiddenPart(paths_.hiddenPart()));
+  return kernel;
 }
 
 PathOrigin TexelBaker::start(const RecordPlan& plan) {
@@ -117,7 +141,11 @@ const KernelPaths& TexelBaker::retrace(const RecordPlan& plan, std::optional<uin
     traceLambert(origin, known);
     return paths_;
   }
-  traceView(origin, *view, {streamsOf(origin), options_.glossyPaths(plan.glossyLobes), 0}, known);
+  const GlossyKernels kernels{streamsOf(origin), options_.glossyPaths(plan.glossyLobes), 0};
+  if (plan.hasCells())
+    traceCell(plan, origin, *view, kernels, known);
+  else
+    traceView(origin, *view, kernels, known);
   if (plan.isSplit()) paths_.removeMirrored();
   return paths_;
 }
@@ -128,10 +156,16 @@ RecordKernels TexelBaker::bake(const RecordPlan& plan, uint32_t glossySlots) {
   if (plan.lambert) bakeLambert(origin, result);
   if (!plan.glossy) return result;
   const GlossyKernels kernels{streamsOf(origin), options_.glossyPaths(plan.glossyLobes), glossySlots};
-  if (plan.isSplit())
-    bakeSplit(origin, kernels, result);
-  else
+  if (!plan.isSplit()) {
     bakeWhole(origin, kernels, result);
+    return result;
+  }
+  if (plan.hasCells())
+    bakeCells(plan, origin, kernels, result);
+  else
+    bakeSplit(origin, kernels, result);
+  key_.stream = kernels.firstStream + kMapStream;
+  result.visibility = traceVisibility(world_, origin, key_);
   return result;
 }
 

@@ -18,6 +18,7 @@ struct KernelOptions {
   uint32_t boxes = 8;    ///< per glossy kernel of one lobe, 1 to 64
   PathLimits limits;
   uint64_t seed = 0;
+  uint32_t cellFrequency = 6;  ///< of the sphere of direction cells (asset::CellSphere)
 
   /// The Lambert kernel is stored once where glossy ones are stored per view: it can afford more of both.
   uint32_t lambertPaths() const { return 64 * paths; }
@@ -49,6 +50,7 @@ struct RecordKernel {
 struct RecordKernels {
   RecordKernel lambert;
   std::vector<RecordKernel> glossy;         ///< [view], or empty
+  std::vector<RecordKernel> cells;          ///< [direction cell], or empty
   std::optional<VisibilityMap> visibility;  ///< of a split record
   double energy = 0, removed = 0;  ///< luminance of all deposits, and what PathLimits::throughput took
 };
@@ -64,8 +66,8 @@ class TexelBaker {
   /// agree in it.
   RecordKernels bake(const RecordPlan& plan, uint32_t glossySlots);
 
-  /// The paths that the record's kernel of a view, or without one its Lambert kernel, is fitted to. Valid
-  /// until the next call.
+  /// The paths that the record's kernel of a view (of a direction cell, if it has those), or without one its
+  /// Lambert kernel, is fitted to. Valid until the next call.
   const KernelPaths& retrace(const RecordPlan& plan, std::optional<uint32_t> view);
 
  private:
@@ -77,6 +79,11 @@ class TexelBaker {
   };
   void bakeWhole(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result);
   void bakeSplit(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result);
+  void bakeCells(const RecordPlan& plan, const PathOrigin& origin, const GlossyKernels& kernels,
+                 RecordKernels& result);
+  void traceCell(const RecordPlan& plan, const PathOrigin& origin, uint32_t cell,
+                 const GlossyKernels& kernels, RecordKernels& result);
+  RecordKernel hiddenKernel(uint32_t slots);
   void traceView(const PathOrigin& origin, uint32_t view, const GlossyKernels& kernels,
                  RecordKernels& result);
   void account(RecordKernels& result) const;
@@ -85,6 +92,7 @@ class TexelBaker {
   const Intersector& world_;
   const TexelMap& map_;
   const ViewSphere& sphere_;
+  ViewSphere cells_;
   KernelOptions options_;
   PathTracer tracer_;
   BoxFitter lambertFitter_, glossyFitter_;

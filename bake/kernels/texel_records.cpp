@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 
 #include "bake/transport/bsdf.h"
+#include "common/light/ggx.h"
 
 namespace boxlight {
 namespace {
@@ -25,7 +26,7 @@ struct TexelMeans {
   Rgb f0{0.0f};
   float roughness = 0, metallic = 0;
   uint32_t material = 0, glossyLobes = 0, unmirrored = 0;
-  bool diffuse = false, transmits = false, mirrors = false, doubleSided = false, volume = false;
+  bool diffuse = false, transmits = false, mirrors = false, round = true, doubleSided = false, volume = false;
 };
 
 TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footprint) {
@@ -46,6 +47,7 @@ TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footp
     glossyLobes = std::max(glossyLobes, bsdf.viewDependentCount());
     unmirrored = std::max(unmirrored, bsdf.unmirroredCount());
     mirrors |= bsdf.has(kMirrored);
+    round &= bsdf.alpha().x == bsdf.alpha().y;
     diffuse |= bsdf.has(kDiffuse);
     transmits |= bsdf.has(kDiffuseTransmit);
   }
@@ -84,6 +86,11 @@ RecordPlan planSide(const TexelMap& map, uint32_t index, const TexelMeans& means
   return plan;
 }
 
+bool fillsCells(const RecordPlan& plan, const TexelMeans& means) {
+  return plan.glossyLobes == 1 && plan.unmirrored == 0 && means.round &&
+         ggx::alphaOf(means.roughness) <= kMaxCellAlpha;
+}
+
 /// The records of one texel: one or two.
 std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map, uint32_t index,
                                   asset::Scheme scheme) {
@@ -100,8 +107,10 @@ std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map,
     plans[side].glossyLobes = means.glossyLobes;
     plans[side].unmirrored = means.unmirrored;
     const bool inside = side == 1 && means.volume;
-    if (scheme == asset::Scheme::split && plans[side].glossy && means.mirrors && !inside)
-      plans[side].record.flags |= asset::kSplitLobe;
+    if (scheme == asset::Scheme::sketch || !plans[side].glossy || !means.mirrors || inside) continue;
+    plans[side].record.flags |= asset::kSplitLobe;
+    if (scheme == asset::Scheme::cells && fillsCells(plans[side], means))
+      plans[side].record.flags |= asset::kDirectionCells;
   }
   return plans;
 }

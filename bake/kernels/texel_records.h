@@ -20,12 +20,17 @@ struct RecordPlan {
 
   /// Are the lobes that microfacets reflect split? (asset::Scheme::split)
   bool isSplit() const { return (record.flags & asset::kSplitLobe) != 0; }
+  /// Are their hidden parts stored for the directions that light comes from? (asset::Scheme::cells)
+  bool hasCells() const { return (record.flags & asset::kDirectionCells) != 0; }
   PathOrigin origin(const Intersector& world, const TexelMap& map) const;
 };
 
 /// The records of a scene in texel order: the front of every covered texel; the back where it is seen
 /// (double-sided, and reached by light from outside) or where diffuse transmission gathers from it.
-/// Scheme::split splits the lobes that microfacets reflect, but not inside a volume.
+/// Scheme::split splits the lobes that microfacets reflect, but not inside a volume. Scheme::cells does so
+/// too and stores in direction cells what one sharp round lobe (alpha at most kMaxCellAlpha) sees of other
+/// surfaces.
+inline constexpr float kMaxCellAlpha = 0.1f;
 std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map,
                                     asset::Scheme scheme = asset::Scheme::sketch);
 

@@ -3,6 +3,7 @@
 
 #include "bake/transport/bsdf.h"
 #include "bake/transport/warp.h"
+#include "common/light/ggx.h"
 #include "common/light/light_domain.h"
 
 namespace boxlight {
@@ -12,6 +13,13 @@ constexpr int kMaskTries = 16;        ///< points drawn on a texel before it cou
 constexpr uint32_t kReachPaths = 64;  ///< of isReached
 constexpr int kReachBounces = 8;
 constexpr float kLeastAlbedo = 1e-6f;  ///< that throughputs are divided by
+
+/// `local` as seen in some frame whose z is the unit vector `axis`.
+vec3 alignTo(vec3 axis, vec3 local) {
+  vec3 tangent, bitangent;
+  orthonormalBasis(axis, tangent, bitangent);
+  return glm::normalize(local.x * tangent + local.y * bitangent + local.z * axis);
+}
 
 bool hasVolumes(const Scene& scene) {
   return std::any_of(scene.materials.begin(), scene.materials.end(),
@@ -34,6 +42,12 @@ FirstThroughput firstThroughput(const Bsdf& bsdf, const LobeSample& drawn) {
   if (!bsdf.has(kSheen)) return {all, drawn.wi.z > 0.0f ? all : Rgb(0.0f)};
   const Rgb reflected = bsdf.evaluate(drawn.wi, kMirrored).value;
   return {all, drawn.wi.z > 0.0f ? reflected / lobes.density / albedo : Rgb(0.0f)};
+}
+
+vec3 directionOf(const DirectionCell& cell, vec2 inCap, vec2 spread) {
+  const vec3 centre = alignTo(cell.towards, capDirection(inCap, cell.capCosine));
+  const vec3 half = ggx::sampleVisibleNormal({0, 0, 1}, std::max(cell.alpha, ggx::kMinAlpha), spread);
+  return alignTo(centre, 2.0f * half.z * half - vec3(0, 0, 1));
 }
 
 }  // namespace
@@ -140,6 +154,23 @@ void PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey&
     else
       paths.hidden += double(luminance(state.throughput));
   }
+}
+
+void PathTracer::traceIncident(const PathOrigin& origin, const DirectionCell& cell, const StreamKey& key,
+                               uint32_t pathCount, KernelPaths& paths) const {
+  for (uint32_t path = 0; path < pathCount; ++path) {
+    Sampler sampler(key, path);
+    SurfacePoint point;
+    if (!startPoint(origin, sampler, point)) continue;
+    const SurfaceView surface =
+        viewSurfaceSide(world_.scene(), point, origin.normal, origin.back, origin.media);
+    const vec2 inCap = sampler.next2();
+    const vec3 direction = directionOf(cell, inCap, sampler.next2());
+    if (!(glm::dot(direction, surface.geometricNormal) > 0.0f)) continue;
+    ++paths.traced;
+    leave(surface, {direction, Rgb(1.0f), origin.media}, Rgb(1.0f), sampler, paths);
+  }
+  paths.removeMirrored();
 }
 
 bool PathTracer::escapes(Ray ray, Sampler& sampler) const {

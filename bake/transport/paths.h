@@ -47,6 +47,13 @@ struct KernelPaths {
   float hiddenPart() const { return traced ? float(hidden / double(traced)) : 0.0f; }
 };
 
+/// The directions that one kernel of arriving light stands for.
+struct DirectionCell {
+  vec3 towards{0, 1, 0};  ///< unit, away from the surface
+  float capCosine = 1;    ///< of the cap around it that they are uniform over
+  float alpha = 0;        ///< of the GGX mirror, seen head-on, that spreads them further
+};
+
 /// Backward photon tracing, docs/theory.md section 2: paths start on a texel, stratified over its surface and
 /// the first lobe, and scatter until they escape. First hits are demodulated: the pixel multiplies their
 /// albedo back.
@@ -64,6 +71,13 @@ class PathTracer {
   /// divided by their directional albedo. Paths that find no such lobe are left out too.
   void traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey& key, uint32_t pathCount,
                    KernelPaths& paths) const;
+
+  /// Kernel of what arrives by way of other surfaces from the directions of a cell, whatever the texel makes
+  /// of it: first directions of throughput 1, of which those that leave the scene straight away deposit
+  /// nothing. Directions below the surface's own horizon are not among them: there is nothing that the texel
+  /// sees there.
+  void traceIncident(const PathOrigin& origin, const DirectionCell& cell, const StreamKey& key,
+                     uint32_t pathCount, KernelPaths& paths) const;
 
   /// Does light from outside reach this side of a texel at all, by any path that passes no volume's boundary?
   /// Tried with a fixed number of diffuse paths: an opening that fewer than 1 path in 30 finds may be missed.

@@ -21,4 +21,11 @@ inline vec3 uniformDirection(vec2 random) {
   return {radius * std::cos(phi), radius * std::sin(phi), z};
 }
 
+/// Uniform over the cap of directions whose z is at least `cosine`.
+inline vec3 capDirection(vec2 random, float cosine) {
+  const float z = 1.0f - random.x * (1.0f - cosine), radius = std::sqrt(std::max(0.0f, 1.0f - z * z)),
+              phi = 2.0f * kPi * random.y;
+  return {radius * std::cos(phi), radius * std::sin(phi), z};
+}
+
 }  // namespace boxlight

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "common/light/light_domain.h"
+
 namespace boxlight {
 namespace {
 
@@ -37,6 +39,8 @@ bool isLarge(const Rectangle& whole) {
          whole.dv * VisibilityMap::kRows >= kLeastQuartered;
 }
 
+dvec3 directionOf(const Box& box) { return meanDirection(box.u0, box.v0, box.du, box.dv); }
+
 Rectangle quarter(const Rectangle& whole, int i) {
   const double du = 0.5 * whole.du, dv = 0.5 * whole.dv;
   return {whole.u0 + (i & 1) * du, whole.v0 + (i >> 1) * dv, du, dv};
@@ -53,22 +57,30 @@ ClippedLobe clipLobe(std::span<const Box> lobe, const FilteredVisibility& visibi
     result.pieces.push_back({rectangle, energy});
     direct += double(luminance(Rgb(energy)));
   };
-  for (const Box& box : lobe) {
+  const auto clip = [&](const Box& box) {
     const Rectangle whole = rectangleOf(box);
-    all += double(luminance(box.energy));
     const Visible seen = filter(whole, visibility);
-    if (seen.part >= kWhole || !isLarge(whole)) {
-      keep(seen.around, dvec3(box.energy) * std::min(seen.part, 1.0));
-      continue;
-    }
+    if (seen.part >= kWhole || !isLarge(whole))
+      return keep(seen.around, dvec3(box.energy) * std::min(seen.part, 1.0));
     for (int i = 0; i < 4; ++i) {
       const Rectangle part = quarter(whole, i);
       const Visible visible = filter(part, visibility);
       keep(visible.around, dvec3(box.energy) * (visible.part * part.solidAngle() / whole.solidAngle()));
     }
+  };
+  for (const Box& box : lobe) {
+    const double before = direct, energy = double(luminance(box.energy));
+    clip(box);
+    all += energy;
+    result.towards += std::max(energy - (direct - before), 0.0) * directionOf(box);
   }
   result.hidden = std::max(all - direct, 0.0);
   return result;
+}
+
+vec3 ClippedLobe::hiddenDirection() const {
+  const double length = glm::length(towards);
+  return length > 0 ? vec3(towards / length) : vec3(0, 1, 0);
 }
 
 dvec3 splitRadiance(dvec3 direct, double hidden, dvec3 storedRadiance, double storedPart) {

@@ -27,7 +27,10 @@ struct ClippedLobe {
     dvec3 energy{0.0};
   };
   std::vector<Piece> pieces;
-  double hidden = 0;  ///< energy (luminance) that points at other surfaces
+  double hidden = 0;     ///< energy (luminance) that points at other surfaces
+  dvec3 towards{0.0};    ///< sum of hidden energy times the mean direction of its box
+  /// Unit vector: where on the whole the hidden part points; +Y if there is none.
+  vec3 hiddenDirection() const;
 };
 
 /// Every box that is not wholly visible, and large, is quartered. Of each rectangle, each map tells the

@@ -59,6 +59,8 @@ struct FrameRenderer::Parts {
   std::optional<Light> light;
   Buffer frame;
   ShadedRecords shaded;
+  uint32_t shadePools = 0;  // what kernels are read for: `shade`, and with direction cells `resolve`
+  bool shadeEmitters = false;
   SurfaceConstants constants;
   VisibilityPass visibility;
   std::optional<LayerPass> layers;
@@ -66,8 +68,6 @@ struct FrameRenderer::Parts {
   ResidentPages pages;
   std::optional<VisibilityMaps> maps;
   std::optional<ShadePass> shade;
-  uint32_t shadePools = 0;  // what `shade` was compiled for
-  bool shadeEmitters = false;
   bool saidCut = false;
   FrameCounts counts;
   Image picture;
@@ -100,6 +100,9 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& assetReader, 
 SurfaceConstants FrameRenderer::Parts::makeConstants() const {
   SurfaceConstants made = surfaceConstants(reader.asset(), blended ? settings.layerLimit : 0);
   made[kConstantExactSums] = settings.satScheme == SatScheme::exact;
+  made[kConstantWeights] = settings.interpolation == Interpolation::weight;
+  made[kConstantBoxPools] = std::max(shadePools, 1u);
+  made[kConstantEmitters] = shadeEmitters;
   return made;
 }
 
@@ -167,11 +170,13 @@ void FrameRenderer::Parts::uploadConstants() {
 }
 
 void FrameRenderer::Parts::compileShade() {
-  if (shade && shadePools == pages.poolCount() && shadeEmitters == pages.emitters()) return;
+  const bool otherPages = shadePools != pages.poolCount() || shadeEmitters != pages.emitters();
+  if (shade && !otherPages) return;
   shadePools = pages.poolCount();
   shadeEmitters = pages.emitters();
-  shade.emplace(device, bindings, reader.asset(), shadePools, shadeEmitters, settings.interpolation,
-                settings.satScheme == SatScheme::exact);
+  constants = makeConstants();
+  shade.emplace(device, bindings, constants);
+  if (otherPages && hasDirectionCells(reader.asset())) resolve.specialize(constants);
 }
 
 void FrameRenderer::Parts::makeResident() {

@@ -57,6 +57,8 @@ FrameConstants frameConstants(const asset::Asset& asset, const FrameSettings& se
   frame.tileCount = uint32_t(asset.tiles.size());
   frame.diffuseStream = asset.diffuseStream();
   frame.viewTriangles = 20 * asset.info.viewFrequency * asset.info.viewFrequency;
+  for (const asset::CellSphere& cells : asset.cellSphere)
+    frame.cellTriangles = 20 * cells.frequency * cells.frequency;
   setLight(frame, settings, light);
   return frame;
 }

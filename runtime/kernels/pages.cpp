@@ -83,13 +83,17 @@ std::vector<ResidentPages::Page> ResidentPages::neededPages(std::span<const Visi
                                                             vec3 eye) const {
   const auto& asset = reader_.asset();
   const size_t tileCount = asset.tiles.size();
-  std::vector<bool> needed(asset.streamCount() * tileCount);
+  std::vector<bool> needed(asset.streamCount() * tileCount), allCells(tileCount);
   const ViewSphere sphere(asset.info.viewFrequency);
   uint32_t near = 0;  // where the walk over the view triangles starts
   for (const auto& [r, glossy] : visible) {
     const uint32_t tile = tileOf(asset, r);
     needed[asset.diffuseStream() * tileCount + tile] = true;
     if (!glossy || asset.tiles[tile].glossyBoxes == 0) continue;
+    if (asset.hasCells(r)) {
+      allCells[tile] = true;
+      continue;
+    }
     const auto& p = asset.records[r].position;
     const auto& n = asset.records[r].normal;
     const vec3 normal(n[0], n[1], n[2]), towards = eye - vec3(p[0], p[1], p[2]);
@@ -99,6 +103,10 @@ std::vector<ResidentPages::Page> ResidentPages::neededPages(std::span<const Visi
     near = blend.triangle;
     for (const uint32_t v : blend.view) needed[v * tileCount + tile] = true;
   }
+  // Where a pixel's lobe points is for its normal map to say: all cells of its tile may be read.
+  for (uint32_t cell = 0; cell < asset.cellCount(); ++cell)
+    for (uint32_t tile = 0; tile < tileCount; ++tile)
+      if (allCells[tile]) needed[(asset.firstCellStream() + cell) * tileCount + tile] = true;
   std::vector<Page> pages;
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < tileCount; ++tile)
@@ -210,7 +218,7 @@ uint64_t ResidentPages::countBoxes(std::span<const VisibleRecord> visible, uint3
   for (const auto& [record, glossy] : visible) {
     const uint32_t t = tileOf(asset, record);
     boxes += std::min(asset.tiles[t].diffuseBoxes - lambertEmits_[t], boxLimit);
-    if (!glossy) continue;
+    if (!glossy || asset.hasCells(record)) continue;
     const uint32_t slots = asset.tiles[t].glossyBoxes - glossyEmits_[t];
     boxes += asset.isSplit(record) ? 3 * std::min(slots - 1, boxLimit) : std::min(slots, boxLimit);
   }

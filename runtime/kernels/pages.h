@@ -20,9 +20,10 @@ class ResidentPages {
                 int threads);
 
   /// Loads what is missing of each visible record: the Lambert kernel and, if it is seen, the glossy kernels
-  /// of the three views nearest to the eye. Pages that are not needed are forgotten once they would take more
-  /// than kKeptBytes or more than the pools. Returns once all are there. Errors: those of AssetReader::page;
-  /// ExitCode::runtime if kMaxBoxPools pools do not hold what is needed.
+  /// of the three views nearest to the eye, or if it has direction cells all of those. Pages that are not
+  /// needed are forgotten once they would take more than kKeptBytes or more than the pools. Returns once all
+  /// are there. Errors: those of AssetReader::page; ExitCode::runtime if kMaxBoxPools pools do not hold what
+  /// is needed.
   void require(std::span<const VisibleRecord> visible, vec3 eye);
 
   static constexpr uint64_t kKeptBytes = uint64_t(1) << 30;
@@ -30,7 +31,8 @@ class ResidentPages {
   uint32_t pageCount() const { return pageCount_; }
   uint64_t bytes() const;  ///< of the pools
   bool emitters() const;   ///< has any kernel a slot of emitted radiance?
-  /// Integrals over boxes that a frame takes for these records, no more than `boxLimit` for each kernel.
+  /// Integrals over boxes that a frame takes for these records, no more than `boxLimit` for each kernel;
+  /// those of direction cells, which are for pixels, not counted.
   uint64_t countBoxes(std::span<const VisibleRecord> visible, uint32_t boxLimit) const;
 
  private:

@@ -23,12 +23,13 @@ std::vector<GpuRecord> makeRecords(const asset::Asset& asset) {
       const uint32_t r = asset.tiles[t].firstRecord + slot;
       const auto& p = asset.records[r].position;
       const auto& n = asset.records[r].normal;
-      records[r] = {{p[0], p[1], p[2]}, t, {n[0], n[1], n[2]}, slot};
+      records[r] = {
+          {p[0], p[1], p[2]}, t, {n[0], n[1], n[2]}, slot | (asset.hasCells(r) ? kRecordHasCells : 0)};
     }
   return records;
 }
 
-std::vector<ViewTriangle> makeViewTriangles(const ViewSphere& sphere) {
+std::vector<ViewTriangle> trianglesOf(const ViewSphere& sphere) {
   std::vector<ViewTriangle> triangles(sphere.triangles().size());
   for (size_t t = 0; t < triangles.size(); ++t) {
     const uvec3 corners = sphere.triangles()[t];
@@ -40,6 +41,14 @@ std::vector<ViewTriangle> makeViewTriangles(const ViewSphere& sphere) {
     triangles[t].view = uvec4(corners, 0);
     triangles[t].neighbour = uvec4(sphere.neighbours()[t], 0);
   }
+  return triangles;
+}
+
+std::vector<ViewTriangle> makeViewTriangles(const asset::Asset& asset) {
+  std::vector<ViewTriangle> triangles = trianglesOf(ViewSphere(asset.info.viewFrequency));
+  for (const asset::CellSphere& cells : asset.cellSphere)
+    for (const ViewTriangle& triangle : trianglesOf(ViewSphere(cells.frequency)))
+      triangles.push_back(triangle);
   return triangles;
 }
 
@@ -93,7 +102,7 @@ SceneBuffers::SceneBuffers(Device& device, Bindings& bindings, const asset::Asse
   add(kBindAtlas, "atlas", asset.atlas);
   add(kBindRecords, "texel records", makeRecords(asset));
   add(kBindTiles, "tiles", asset.tiles);
-  add(kBindViews, "view triangles", makeViewTriangles(ViewSphere(asset.info.viewFrequency)));
+  add(kBindViews, "view triangles", makeViewTriangles(asset));
   add(kBindTables, "tables", makeTables(hasSheen(asset)));
 }
 

@@ -18,27 +18,8 @@ std::vector<vec4> ShadedRecords::read(Device& device) const {
   return readBuffer<vec4>(device, buffer_, buffer_.size() / sizeof(vec4));
 }
 
-namespace {
-
-/// Of shade.comp, which does not look at surfaces and numbers its own.
-SurfaceConstants shadeConstants(const asset::Asset& asset, uint32_t poolCount, bool emitters,
-                                Interpolation interpolation, bool exactSums) {
-  SurfaceConstants constants{interpolation == Interpolation::weight,
-                             poolCount,
-                             isGlossy(asset),
-                             emitters,
-                             isNormalMapped(asset),
-                             hasSplitLobes(asset)};
-  constants[kConstantExactSums] = exactSums;
-  return constants;
-}
-
-}  // namespace
-
-ShadePass::ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
-                     bool emitters, Interpolation interpolation, bool exactSums)
-    : pipeline_(device, bindings, shade_comp,
-                shadeConstants(asset, poolCount, emitters, interpolation, exactSums)) {}
+ShadePass::ShadePass(Device& device, const Bindings& bindings, const SurfaceConstants& constants)
+    : pipeline_(device, bindings, shade_comp, constants) {}
 
 void ShadePass::shade(Commands& commands, const Buffer& list) const {
   commands.dispatchIndirect(pipeline_, list, offsetof(VisibleHeader, groups));

@@ -24,11 +24,10 @@ class ShadedRecords {
 };
 
 /// Equation 3 for every record on the list. Made when the resident pages are known: how many pools they fill
-/// and whether anything in them emits is compiled in. `exactSums`: of the light's table.
+/// and whether anything in them emits is compiled in.
 class ShadePass {
  public:
-  ShadePass(Device& device, const Bindings& bindings, const asset::Asset& asset, uint32_t poolCount,
-            bool emitters, Interpolation interpolation, bool exactSums);
+  ShadePass(Device& device, const Bindings& bindings, const SurfaceConstants& constants);
   /// `list`: VisibleHeader and records.
   void shade(Commands& commands, const Buffer& list) const;
 

@@ -45,6 +45,8 @@ bool hasSheen(const asset::Asset& asset) {
 
 bool hasSplitLobes(const asset::Asset& asset) { return !asset.visibilityMaps.empty(); }
 
+bool hasDirectionCells(const asset::Asset& asset) { return !asset.cellSphere.empty(); }
+
 SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
   using Extension = asset::MaterialExtension;
   SurfaceConstants constants{};
@@ -62,6 +64,7 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
   constants[kConstantLayers] = layers;
   constants[kConstantNormalMapped] = isNormalMapped(asset);
   constants[kConstantSplit] = hasSplitLobes(asset);
+  constants[kConstantCells] = hasDirectionCells(asset);
   return constants;
 }
 

@@ -15,6 +15,8 @@ bool isBlended(const asset::Asset& asset);
 /// Does a normal map bend any material's base layer?
 bool isNormalMapped(const asset::Asset& asset);
 bool hasSheen(const asset::Asset& asset);
+/// Does any record store what it sees of other surfaces by the directions that light comes from?
+bool hasDirectionCells(const asset::Asset& asset);
 /// Are any lobes split into what the pixel sees straight and what kernels hold?
 bool hasSplitLobes(const asset::Asset& asset);
 

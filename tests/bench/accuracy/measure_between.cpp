@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include "bake/kernels/scene_bake.h"
@@ -128,6 +129,12 @@ void trySplit(const LabScene& scene, const Subject& subject, vec3 direction,
   const SplitOptions options{.paths = about.paths};
   about.method = "split", about.terms = kLobeBoxes;
   sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
+  for (const uint32_t frequency : {3u, 4u, 6u, 8u}) {
+    SplitOptions inCells = options;
+    inCells.cells = frequency;
+    about.method = fmt::format("cells, {} directions", 10 * frequency * frequency + 2);
+    sample.trials.push_back({about, SplitTexel(scene, subject, inCells).relight(direction, lights)});
+  }
 }
 
 }  // namespace

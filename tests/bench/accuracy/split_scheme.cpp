@@ -10,7 +10,7 @@
 namespace boxlight::accuracy {
 namespace {
 
-constexpr uint32_t kLobeStream = 0x50000u, kMapStream = 0x60000u;
+constexpr uint32_t kLobeStream = 0x50000u, kMapStream = 0x60000u, kCellStream = 0x70000u;
 
 dvec3 meanLight(const SummedArea& light, const Rectangle& rectangle) {
   return light.integrate(rectangle) / rectangle.solidAngle();
@@ -23,7 +23,8 @@ SplitTexel::SplitTexel(const LabScene& scene, const Subject& subject, const Spli
       subject_(subject),
       options_(options),
       origin_(subject.plan.origin(scene.world(), scene.map())),
-      map_(traceVisibility(scene.world(), origin_, {9, subject.plan.texel, kMapStream})) {}
+      map_(traceVisibility(scene.world(), origin_, {9, subject.plan.texel, kMapStream})),
+      cells_(std::max(options.cells, 1u)) {}
 
 /// As if nothing stood around.
 std::vector<Box> SplitTexel::lobe(vec3 direction, uint32_t pixel) const {
@@ -56,25 +57,63 @@ double SplitTexel::hiddenPart(vec3 direction) const {
   return hidden / options_.pixels;
 }
 
-Radiances SplitTexel::relight(vec3 direction, const std::vector<ProbeLight>& lights) const {
-  Radiances radiance(lights.size(), dvec3(0.0)), fromHidden = radiance;
-  const auto add = [&](Radiances& sum, dvec3 energy, const Rectangle& rectangle) {
-    for (size_t l = 0; l < lights.size(); ++l) sum[l] += energy * meanLight(lights[l].area, rectangle);
-  };
-  for (uint32_t pixel = 0; pixel < options_.pixels; ++pixel)
-    for (const auto& [rectangle, energy] : clipped(direction, pixel).pieces)
-      add(radiance, energy / double(options_.pixels), rectangle);
-  const ViewBlend blend = scene_.sphere().locate(direction);
-  double stored = 0;
+const SplitTexel::Stored& SplitTexel::cell(uint32_t vertex) {
+  const auto [place, isNew] = known_.try_emplace(vertex);
+  if (!isNew) return place->second;
+  const float alpha = subject_.plan.record.roughness * subject_.plan.record.roughness;
+  const DirectionCell cell{cells_.directions()[vertex], 1.0f - 2.0f / float(cells_.viewCount()), alpha};
+  KernelPaths paths;
+  const StreamKey key{7, subject_.plan.texel, kCellStream + vertex};
+  PathTracer(scene_.world(), {}).traceIncident(origin_, cell, key, options_.paths, paths);
+  place->second = {BoxFitter({.boxes = int(options_.hiddenBoxes)}).fit(paths.deposits, paths.traced),
+                   double(paths.hiddenPart())};
+  return place->second;
+}
+
+SplitTexel::Stored SplitTexel::cellsAround(vec3 direction) {
+  const ViewBlend blend = cells_.locate(direction);
+  Stored sum;
   for (int k = 0; k < 3; ++k) {
-    stored += double(blend.weight[k]) * hiddenPart(scene_.sphere().directions()[blend.view[k]]);
-    for (const Box& box : hidden(blend.view[k]))
-      add(fromHidden, double(blend.weight[k]) * dvec3(box.energy), rectangleOf(box));
+    const Stored& one = cell(blend.view[k]);
+    sum.part += double(blend.weight[k]) * one.part;
+    for (Box box : one.boxes) {
+      box.energy *= blend.weight[k];
+      sum.boxes.push_back(box);
+    }
   }
-  const double part = hiddenPart(direction);
-  for (size_t l = 0; l < lights.size(); ++l)
-    radiance[l] = splitRadiance(radiance[l], part, fromHidden[l], stored);
-  return radiance;
+  return sum;
+}
+
+SplitTexel::Stored SplitTexel::viewsAround(vec3 direction) {
+  const ViewBlend blend = scene_.sphere().locate(direction);
+  Stored sum;
+  for (int k = 0; k < 3; ++k) {
+    sum.part += double(blend.weight[k]) * hiddenPart(scene_.sphere().directions()[blend.view[k]]);
+    for (Box box : hidden(blend.view[k])) {
+      box.energy *= blend.weight[k];
+      sum.boxes.push_back(box);
+    }
+  }
+  return sum;
+}
+
+Radiances SplitTexel::relight(vec3 direction, const std::vector<ProbeLight>& lights) {
+  Radiances mean(lights.size(), dvec3(0.0));
+  Stored stored;
+  if (!options_.cells) stored = viewsAround(direction);
+  for (uint32_t pixel = 0; pixel < options_.pixels; ++pixel) {
+    const ClippedLobe clippedLobe = clipped(direction, pixel);
+    if (options_.cells) stored = cellsAround(clippedLobe.hiddenDirection());
+    for (size_t l = 0; l < lights.size(); ++l) {
+      dvec3 direct(0.0), fromHidden(0.0);
+      for (const auto& [rectangle, energy] : clippedLobe.pieces)
+        direct += energy * meanLight(lights[l].area, rectangle);
+      for (const Box& box : stored.boxes)
+        fromHidden += dvec3(box.energy) * meanLight(lights[l].area, rectangleOf(box));
+      mean[l] += splitRadiance(direct, clippedLobe.hidden, fromHidden, stored.part) / double(options_.pixels);
+    }
+  }
+  return mean;
 }
 
 }  // namespace boxlight::accuracy

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
+
 #include "common/light/lobe_clip.h"
 #include "tests/bench/accuracy/lab_scene.h"
 
@@ -16,14 +18,22 @@ struct SplitOptions {
   uint32_t hiddenBoxes = 4;
   uint32_t pixels = 16;  ///< points of the texel that shade their own lobe
   uint32_t paths = 1024;
+  uint32_t cells = 0;  ///< frequency of the geodesic sphere of direction cells; 0: hidden parts of the views
 };
 
 class SplitTexel {
  public:
   SplitTexel(const LabScene& scene, const Subject& subject, const SplitOptions& options);
-  Radiances relight(vec3 direction, const std::vector<ProbeLight>& lights) const;
+  Radiances relight(vec3 direction, const std::vector<ProbeLight>& lights);
 
  private:
+  struct Stored {
+    std::vector<Box> boxes;
+    double part = 0;
+  };
+  const Stored& cell(uint32_t vertex);
+  Stored cellsAround(vec3 direction);
+  Stored viewsAround(vec3 direction);
   std::vector<Box> lobe(vec3 direction, uint32_t pixel) const;
   std::vector<Box> hidden(uint32_t view) const;
   ClippedLobe clipped(vec3 direction, uint32_t pixel) const;
@@ -34,6 +44,8 @@ class SplitTexel {
   SplitOptions options_;
   PathOrigin origin_;
   VisibilityMap map_;
+  ViewSphere cells_;
+  std::map<uint32_t, Stored> known_;
 };
 
 }  // namespace boxlight::accuracy
