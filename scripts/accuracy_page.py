@@ -3,6 +3,7 @@
 from pathlib import Path
 
 REFERENCE_PATHS = 1 << 17
+SPLITS = ["split", *(f"cells, {n} directions" for n in (92, 162, 362, 642))]
 CLASSES = ["diffuse", "rough", "sharp"]
 TEXT = (Path(__file__).resolve().parent / "accuracy_page.md").read_text()
 
@@ -59,7 +60,7 @@ def bases(rows, paths):
 def between(rows):
     gloss = CLASSES[1:]
     place = rows.where(place="between")
-    lines = [[name, *place.where(method=name).cells(gloss)] for name in ("deposits", "direct fit", "split")]
+    lines = [[name, *place.where(method=name).cells(gloss)] for name in ("deposits", "direct fit", *SPLITS)]
     sketch = place.where(method="sketch")
     for terms in sketch.values("terms"):
         for method in ("sketch", "sketch, literal weights", "three views blended", "mirror"):
@@ -75,14 +76,24 @@ def by_scene(rows):
             ("at views", own.where(place="views", method="boxes", terms=8, paths=1024)),
             ("between, direct fit", own.where(place="between", method="direct fit")),
             ("between, sketch", own.where(place="between", method="sketch", terms=8)),
-            ("between, split", own.where(place="between", method="split")),
+            ("between, split", own.where(place="between", method=SPLITS[0])),
+            ("between, cells", own.where(place="between", method=SPLITS[3])),
         ):
             lines.append([scene, label, *found.cells(CLASSES)])
     return table(["scene", "8 boxes, 1024 paths", *CLASSES], lines)
 
 
-def page(*results):
-    """`results`: what runs of the bench measured under the same lights."""
+def cost(schemes):
+    lines = []
+    for scene, found in schemes.items():
+        for label, f in found.items():
+            figures = [f"{f['bytes']:.0f}", f"{f['raw']:.0f}", f"{f['bake_seconds']:.0f}", f"{f['frame_ms']:.0f}"]
+            lines.append([scene, label, *figures])
+    return table(["scene", "scheme", "bytes a texel", "before compression", "bake s", "frame ms"], lines)
+
+
+def page(schemes, *results):
+    """`schemes`: what whole assets cost, by scene and scheme; `results`: what runs of the bench measured under the same lights."""
     rows = Rows([row for result in results for row in result["rows"]])
     clean = max(rows.values("paths"))
     lights = {True: [], False: []}
@@ -101,6 +112,7 @@ def page(*results):
         "bases_clean": bases(rows, clean),
         "between": between(rows),
         "scenes": by_scene(rows),
+        "cost": cost(schemes),
     }
     text = TEXT
     for name, value in fields.items():

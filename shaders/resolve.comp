@@ -31,7 +31,11 @@ vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
   }
   total = max(total, 1e-30);
   vec4 stored = seen.hidden;
-  if (kCells) stored += arrivingFrom(dot(towards, towards) > 0.0 ? normalize(towards) : vec3(0.0, 1.0, 0.0), seen.cells);
+  if (kCells) {
+    bool hides = dot(towards, towards) > 0.0;  // and not only unmirrored lobes
+    if (!hides) seen.cells.count = 0;
+    stored += arrivingFrom(hides ? normalize(towards) : vec3(0.0, 1.0, 0.0), seen.cells);
+  }
   return total * splitRadiance(radiance / total, clamp(hidden / strength(total), 0.0, 1.0), stored);
 }
 
