@@ -27,8 +27,8 @@ struct ClippedLobe {
     dvec3 energy{0.0};
   };
   std::vector<Piece> pieces;
-  double hidden = 0;     ///< energy (luminance) that points at other surfaces
-  dvec3 towards{0.0};    ///< sum of hidden energy times the mean direction of its box
+  double hidden = 0;   ///< energy (luminance) that points at other surfaces
+  dvec3 towards{0.0};  ///< sum of hidden energy times the mean direction of its box
   /// Unit vector: where on the whole the hidden part points; +Y if there is none.
   vec3 hiddenDirection() const;
 };

@@ -76,7 +76,10 @@ Relighter::Relighter(const asset::AssetReader& reader)
                 [&reader](uint32_t stream, uint32_t tile) { return reader.page(stream, tile); }) {}
 
 Relighter::Relighter(const asset::Asset& asset, PageProvider pages)
-    : asset_(asset), pages_(std::move(pages)), views_(asset.info.viewFrequency) {
+    : asset_(asset),
+      pages_(std::move(pages)),
+      views_(asset.info.viewFrequency),
+      cells_(asset.cellSphere.empty() ? 1 : asset.cellSphere.front().frequency) {
   assert(views_.viewCount() == asset.info.viewCount);
 }
 
@@ -112,18 +115,26 @@ TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& li
   const float distance = glm::length(towards);
   const vec3 view = distance > 0.0f ? towards / distance : normal;
   const vec3 raised = raiseAboveHorizon(view, normal);
+  if (asset_.hasCells(record)) return radiance;
   if (asset_.isSplit(record))
-    addHidden(record, raised, lights, uOffset, maxBoxes, radiance);
+    addHidden(record, views_.locate(raised), 0, lights, uOffset, maxBoxes, radiance);
   else
     radiance.glossy = glossy(record, raised, lights, uOffset, interpolation, maxBoxes);
   return radiance;
 }
 
-void Relighter::addHidden(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,
-                          uint32_t maxBoxes, TexelRadiance& radiance) {
-  const ViewBlend blend = views_.locate(view);
+TexelRadiance Relighter::arriving(uint32_t record, vec3 direction, const SummedArea& lights, double uOffset,
+                                  uint32_t maxBoxes) {
+  TexelRadiance radiance;
+  addHidden(record, cells_.locate(direction), asset_.firstCellStream(), lights, uOffset, maxBoxes, radiance);
+  return radiance;
+}
+
+void Relighter::addHidden(uint32_t record, const ViewBlend& blend, uint32_t firstStream,
+                          const SummedArea& lights, double uOffset, uint32_t maxBoxes,
+                          TexelRadiance& radiance) {
   for (int k = 0; k < 3; ++k) {
-    const auto slots = kernel(blend.view[k], record);
+    const auto slots = kernel(firstStream + blend.view[k], record);
     if (slots.empty()) continue;
     const auto weight = double(blend.weight[k]);
     const size_t hidden = emissionSlots(slots);

@@ -64,9 +64,16 @@ class Relighter {
   /// they are stored by falling energy. Emitted radiance is added to them, interpolated like energy. A view
   /// without a kernel for this record is left out and the weights of the others are scaled to sum to 1.
   /// Of a record with asset::kSplitLobe the glossy radiance is what its hidden directions send: the sum over
-  /// the three views of weight_k times each kernel's own radiance; a view without a kernel hides nothing.
+  /// the three views of weight_k times each kernel's own radiance; a view without a kernel hides nothing. Of
+  /// one with asset::kDirectionCells it is 0: there it is arriving(), for a direction that only pixels know.
   TexelRadiance relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset = 0.0,
                         Interpolation interpolation = Interpolation::energy, uint32_t maxBoxes = ~0u);
+
+  /// What arrives at a record with asset::kDirectionCells from around the unit vector `direction` by way of
+  /// other surfaces (`glossy`), and the part of the directions there that point at some (`hidden`): the same
+  /// sum over the three direction cells around it.
+  TexelRadiance arriving(uint32_t record, vec3 direction, const SummedArea& lights, double uOffset = 0.0,
+                         uint32_t maxBoxes = ~0u);
 
   /// How the diffuse radiance of `record` changes with the normal n, one column a channel: to first order it
   /// is diffuse + G^T (n' - (n'.n) n) for a normal n' that a normal map bends inside the texel. A box's light
@@ -83,12 +90,12 @@ class Relighter {
  private:
   dvec3 glossy(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,
                Interpolation interpolation, uint32_t maxBoxes);
-  void addHidden(uint32_t record, vec3 view, const SummedArea& lights, double uOffset, uint32_t maxBoxes,
-                 TexelRadiance& radiance);
+  void addHidden(uint32_t record, const ViewBlend& blend, uint32_t firstStream, const SummedArea& lights,
+                 double uOffset, uint32_t maxBoxes, TexelRadiance& radiance);
 
   const asset::Asset& asset_;
   PageProvider pages_;
-  ViewSphere views_;
+  ViewSphere views_, cells_;
   std::unordered_map<uint64_t, std::vector<PackedBox>> decoded_;  // by stream * tileCount + tile
 };
 

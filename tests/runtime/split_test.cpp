@@ -7,6 +7,7 @@
 #include "common/light/light_map.h"
 #include "common/light/lobe_boxes.h"
 #include "common/light/lobe_clip.h"
+#include "common/light/relight.h"
 #include "shaders/shared.h"
 #include "tests/runtime/pixel_model.h"
 #include "tests/runtime/synthetic.h"
@@ -127,6 +128,20 @@ class SplitTest : public GpuTest {
 
   bool isSplit(uint32_t record) const { return !half_ || record % 2 == 1; }
 
+  static void makeWhole(asset::Asset& asset, uint32_t record) {
+    asset.records[record].flags &= ~uint32_t(asset::kSplitLobe | asset::kDirectionCells);
+    for (uint32_t s = asset.firstCellStream(); s < asset.streamCount(); ++s)
+      asset.streamMasks[s * asset.tiles.size() + record / asset::kTileRecords] &=
+          ~(uint64_t(1) << record % asset::kTileRecords);
+  }
+
+  /// Of direction cells: each direction of each record sends another colour.
+  Rgb colour(const asset::Asset& asset, uint32_t stream, uint32_t record, Rgb radiance) const {
+    if (stream < asset.firstCellStream() || one_) return radiance;
+    const vec3 d = ViewSphere(square_.directionCells).directions()[stream - asset.firstCellStream()];
+    return radiance * (1.5f + d) * float(1 + record % 3);
+  }
+
   /// No light but from split lobes: kernels of a hidden part alone, or none where it is 0.
   asset::AssetReader write(float hiddenPart, Rgb hiddenRadiance) const {
     asset::Asset asset = square_.makeAsset();
@@ -138,10 +153,11 @@ class SplitTest : public GpuTest {
       if (isSplit(r))
         asset.visibilityMaps.push_back(square_.visibility(r));
       else
-        asset.records[r].flags &= ~uint32_t(asset::kSplitLobe);
+        makeWhole(asset, r);
     return writeSynthetic(file("split.ptb"), asset, [&](uint32_t stream, uint32_t record, uint32_t slot) {
       if (stream == asset.diffuseStream() || !isSplit(record)) return packBox({0, 0, 1, 1, Rgb(0.0f)});
-      return slot == 0 ? packHiddenPart(hiddenPart) : packBox({0, 0, 1, 1, hiddenPart * hiddenRadiance});
+      const Rgb radiance = colour(asset, stream, record, hiddenRadiance);
+      return slot == 0 ? packHiddenPart(hiddenPart) : packBox({0, 0, 1, 1, hiddenPart * radiance});
     });
   }
 
@@ -201,24 +217,30 @@ class SplitTest : public GpuTest {
     return filtered;
   }
 
+  /// What kernels send and the part that it stands for, where the hidden parts of a pixel's lobes point.
+  using Stored = std::function<TexelRadiance(const FilteredVisibility& around, vec3 direction)>;
+
   /// Of all lobes, those of the pixel's own behind the maps.
   dvec3 gloss(const Finish& finish, vec3 view, const FilteredVisibility& around, const SummedArea& lights,
-              dvec3 stored, double storedPart) const {
+              const Stored& stored) const {
     PixelFactors f = pixelFactors(finish.material, finish.extension, double(view.y), double(view.y));
     dvec3 total = f.glossy - f.base - f.coat, direct(0.0);
     if (finish.extension.anisotropy > 0) f.base = dvec3(lobeAlbedo(lobeOf(finish, view)));
     double hidden = double(luminance(Rgb(total)));
+    ClippedLobe all;
     const auto add = [&](const GgxLobe& lobe, dvec3 factor) {
       const ClippedLobe clipped = clipLobe(lobeBoxes(lobe), around);
       for (const auto& [rectangle, energy] : clipped.pieces)
         direct += factor * energy * lights.integrate(rectangle) / rectangle.solidAngle();
       hidden += double(luminance(Rgb(factor))) * clipped.hidden;
+      all.towards += double(luminance(Rgb(factor))) * clipped.towards;
       total += factor;
     };
     add(lobeOf(finish, view), f.base);
     if (finish.extension.clearcoat > 0) add(coatOf(finish, view), f.coat);
     const double part = hidden / double(luminance(Rgb(total)));
-    return total * splitRadiance(direct / total, part, stored, storedPart);
+    const TexelRadiance sent = stored(around, all.hiddenDirection());
+    return total * splitRadiance(direct / total, part, sent.glossy, sent.hidden);
   }
 
   /// Root of the mean square of the relative difference between the picture and lobe_clip.h.
@@ -230,8 +252,21 @@ class SplitTest : public GpuTest {
     const auto reader = write(hiddenPart, hiddenRadiance);
     gpu::FrameRenderer renderer(*device_, reader, environment, settings_);
     const SummedArea lights(makeLightMap(environment, settings_.lightSize));
-    const dvec3 stored =
-        double(hiddenPart) * dvec3(hiddenRadiance) * lights.integrate({0, 0, 1, 1}) / (4 * kPiDouble);
+    Relighter relighter(reader);
+    const Stored stored = [&](const FilteredVisibility& around, vec3 direction) {
+      TexelRadiance sent{.glossy = double(hiddenPart) * dvec3(hiddenRadiance) *
+                                   lights.integrate({0, 0, 1, 1}) / (4 * kPiDouble),
+                         .hidden = double(hiddenPart)};
+      if (square_.directionCells == 0) return sent;
+      sent = {};
+      for (size_t k = 0; k < around.map.size(); ++k) {
+        if (!around.map[k]) continue;
+        const auto one = relighter.arriving(uint32_t(around.map[k] - maps.data()), direction, lights);
+        sent.glossy += double(around.weight[k]) * one.glossy;
+        sent.hidden += double(around.weight[k]) * one.hidden;
+      }
+      return sent;
+    };
     double sum = 0;
     int count = 0;
     for (uint32_t y = 0; y < settings_.camera.size.y; ++y)
@@ -241,7 +276,7 @@ class SplitTest : public GpuTest {
         const vec3 view = glm::normalize(settings_.camera.eye - *point);
         double part = 0;
         const FilteredVisibility around = mapsAround(maps, *point, part);
-        const dvec3 exact = part * gloss(finish, view, around, lights, stored, double(hiddenPart));
+        const dvec3 exact = part * gloss(finish, view, around, lights, stored);
         const float* pixel = renderer.picture().at(x, y);
         sum += std::pow(glm::length(dvec3(pixel[0], pixel[1], pixel[2]) - exact) / glm::length(exact), 2);
         ++count;
@@ -270,6 +305,7 @@ class SplitTest : public GpuTest {
   gpu::FrameSettings settings_;
   Square square_;
   bool half_ = false;  // are records of every second column whole, and dark?
+  bool one_ = false;   // do all direction cells send the same?
 };
 
 TEST_F(SplitTest, InTheOpenAPixelIsItsLobeUnderTheLight) {
@@ -313,6 +349,32 @@ TEST_F(SplitTest, WithoutAnyKernelsAPixelIsItsLobe) {
 
 TEST_F(SplitTest, BesideWholeLobesSplitOnesHaveTheirPart) {
   square_.visibility = spottedMap;
+  half_ = true;
+  EXPECT_LT(compare(metal(0.4f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
+}
+
+TEST_F(SplitTest, DirectionCellsAreReadWhereTheHiddenPartPoints) {
+  square_.visibility = spottedMap;
+  for (const uint32_t frequency : {1u, 3u, 8u}) {
+    square_.directionCells = frequency;
+    for (const Finish& finish : {metal(0.05f), metal(0.3f), coated(0.3f)})
+      EXPECT_LT(compare(finish, 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2)
+          << frequency << ' ' << finish.material.roughness;
+  }
+}
+
+TEST_F(SplitTest, DirectionCellsThatSendOneLightAreAViewsKernel) {
+  square_.visibility = spottedMap;
+  square_.directionCells = 2;
+  Finish finish = metal(0.3f);
+  std::fill_n(finish.material.baseColor, 3, 0.8f);
+  one_ = true;
+  expectConstant(finish, 0.25f);
+}
+
+TEST_F(SplitTest, BesideWholeLobesDirectionCellsHaveTheirPart) {
+  square_.visibility = spottedMap;
+  square_.directionCells = 3;
   half_ = true;
   EXPECT_LT(compare(metal(0.4f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
 }

@@ -46,8 +46,11 @@ void addTiles(asset::Asset& asset, uint32_t glossyBoxes, uint32_t diffuseBoxes) 
     for (uint32_t slot = 0; slot < asset.tiles[t].recordCount; ++slot) {
       const auto& n = asset.records[asset.tiles[t].firstRecord + slot].normal;
       const auto needed = viewsOfHemisphere(sphere, vec3(n[0], n[1], n[2]));
+      const auto hasKernel = [&](uint32_t stream) {
+        return asset.cellCount() > 0 ? stream >= asset.firstCellStream() : needed[stream];
+      };
       for (uint32_t s = 0; s < asset.streamCount(); ++s)
-        if (s == asset.diffuseStream() ? diffuseBoxes > 0 : glossyBoxes > 0 && needed[s])
+        if (s == asset.diffuseStream() ? diffuseBoxes > 0 : glossyBoxes > 0 && hasKernel(s))
           asset.streamMasks[s * asset.tiles.size() + t] |= uint64_t(1) << slot;
     }
 }
@@ -91,11 +94,13 @@ asset::Asset Square::makeAsset() const {
     for (uint32_t i = 0; i < count && (twoSided || !back); ++i)
       asset.records.push_back(record(i % atlasEdge, i / atlasEdge, atlasEdge, back));
   for (uint32_t i = 0; i < count; ++i) asset.atlas.push_back({i, twoSided ? count + i : asset::kNone});
+  if (directionCells > 0) asset.cellSphere = {{directionCells, 10 * directionCells * directionCells + 2}};
   addTiles(asset, glossyBoxes, diffuseBoxes);
   if (!visibility) return asset;
-  asset.scheme = asset::Scheme::split;
+  asset.scheme = directionCells > 0 ? asset::Scheme::cells : asset::Scheme::split;
   for (uint32_t r = 0; r < asset.records.size(); ++r) {
-    asset.records[r].flags |= asset::kSplitLobe;
+    asset.records[r].flags |=
+        asset::kSplitLobe | (directionCells > 0 ? uint32_t(asset::kDirectionCells) : 0u);
     asset.visibilityMaps.push_back(visibility(r));
   }
   return asset;

@@ -41,6 +41,8 @@ struct Square {
   std::vector<uint32_t> texels;
   /// If set, every record's lobe is split, with this map: slots of kernels are a hidden part, then boxes.
   std::function<VisibilityMap(uint32_t record)> visibility;
+  /// If not 0, these records store their hidden parts in direction cells of a sphere of this frequency.
+  uint32_t directionCells = 0;
 
   Square();
   asset::Asset makeAsset() const;
