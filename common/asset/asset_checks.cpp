@@ -12,8 +12,6 @@ namespace {
 
 using enum FindingCode;
 
-bool validFrequency(uint32_t frequency) { return frequency >= 1 && frequency <= kMaxViewFrequency; }
-
 void checkInfo(const Info& info, const Reporter& report) {
   const auto size = [&](uint32_t value, uint32_t limit, const char* name) {
     if (value < 1 || value > limit)
@@ -22,9 +20,9 @@ void checkInfo(const Info& info, const Reporter& report) {
   size(info.atlasWidth, kMaxAtlasSize, "atlasWidth");
   size(info.atlasHeight, kMaxAtlasSize, "atlasHeight");
   size(info.viewFrequency, kMaxViewFrequency, "viewFrequency");
-  if (const uint32_t f = info.viewFrequency; validFrequency(f) && info.viewCount != 10 * f * f + 2)
+  if (const uint32_t f = info.viewFrequency; isFrequency(f) && info.viewCount != sphereVertices(f))
     report(viewCount, chunk::kInfo, "viewCount", "{} views at frequency {}, which has {}", info.viewCount, f,
-           10 * f * f + 2);
+           sphereVertices(f));
   if (!allFinite(info.boundsMin) || !allFinite(info.boundsMax))
     report(notFinite, chunk::kInfo, "bounds", "NaN or infinite");
 }
@@ -93,24 +91,6 @@ void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& rep
   }
   if (present.has({chunk::kTiles, chunk::kRecords}) && next != asset.records.size())
     report(tileRange, chunk::kTiles, "", "the last tile ends at record {} of {}", next, asset.records.size());
-  if (!present.has({chunk::kInfo, chunk::kTiles, chunk::kStreamMasks}) ||
-      !validFrequency(asset.info.viewFrequency))
-    return;
-  const uint64_t expected = (uint64_t(asset.info.viewCount) + 1 + asset.cellCount()) * asset.tiles.size();
-  if (asset.streamMasks.size() != expected)
-    return report(counts, chunk::kStreamMasks, "", "{} masks, expected {}", asset.streamMasks.size(),
-                  expected);
-  for (size_t i = 0; i < asset.streamMasks.size(); ++i) {
-    const auto stream = uint32_t(i / asset.tiles.size()), tile = uint32_t(i % asset.tiles.size());
-    const uint64_t mask = asset.streamMasks[i];
-    const uint32_t records = asset.tiles[tile].recordCount;
-    if (records < 64 && mask >> records != 0)
-      report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
-             "mask {:#x} of a tile of {} records", mask, records);
-    if (mask != 0 && asset.boxesPerKernel(stream, tile) == 0)
-      report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
-             "mask {:#x}, but the kernels have no boxes", mask);
-  }
 }
 
 void checkCounts(const LoadedAsset& loaded, const Reporter& report) {
@@ -140,7 +120,9 @@ void checkTables(const Asset& asset, const ChunkSet& present, const Reporter& re
   checkTextures(asset, present, report);
   checkAtlas(asset, present, report);
   checkTiles(asset, present, report);
+  checkMasks(asset, present, report);
   checkSplit(asset, present, report);
+  checkCells(asset, present, report);
 }
 
 }  // namespace boxlight::asset

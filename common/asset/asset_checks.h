@@ -23,7 +23,13 @@ void checkMaterialExtensions(const Asset& asset, const ChunkSet& present, const 
 void checkTextures(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkAtlas(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkMasks(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkSplit(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkCells(const Asset& asset, const ChunkSet& present, const Reporter& report);
+
+/// Could INFO and CELL be read, and do they count as many views and cells as their frequencies have? Only
+/// then is Asset::streamCount() to be trusted, and small.
+bool streamsCanBeCounted(const Asset& asset, const ChunkSet& present);
 
 /// Does each table have as many entries as Info says?
 void checkCounts(const LoadedAsset& loaded, const Reporter& report);

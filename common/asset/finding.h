@@ -59,6 +59,7 @@ enum class FindingCode : int {
   extensionMissing = 323,
   extensionValue = 324,
   visibilityMaps = 325,
+  directionCells = 326,
   pageSize = 401,
   pageRange = 402,
   pageHash = 403,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 
+#include "common/asset/asset_format.h"
+
 namespace boxlight::asset {
 
 inline bool allFinite(std::span<const float> numbers) {
@@ -19,5 +21,11 @@ inline bool isUnit(std::span<const float, 3> v) {
 
 /// In [0,1] but for rounding.
 inline bool isFraction(float number) { return number >= -1e-4f && number <= 1.0f + 1e-4f; }
+
+/// Is it one of a sphere of views or cells (view_sphere.h)?
+inline bool isFrequency(uint32_t number) { return number >= 1 && number <= kMaxViewFrequency; }
+
+/// Vertices of the sphere of a frequency; below 2^32 for those of isFrequency.
+inline uint32_t sphereVertices(uint32_t frequency) { return 10 * frequency * frequency + 2; }
 
 }  // namespace boxlight::asset

@@ -61,10 +61,11 @@ uint64_t pageBoxCount(const Asset& asset, uint32_t stream, uint32_t tile) {
 
 bool pagesCanBeFound(const LoadedAsset& loaded) {
   const Asset& asset = loaded.asset;
-  const uint64_t pages = (uint64_t(asset.info.viewCount) + 1 + asset.cellCount()) * asset.tiles.size();
-  return loaded.present.has(
-             {chunk::kInfo, chunk::kTiles, chunk::kStreamMasks, chunk::kPageIndex, chunk::kPages}) &&
-         asset.streamMasks.size() == pages && loaded.pageIndex.size() == pages;
+  if (!loaded.present.has({chunk::kTiles, chunk::kStreamMasks, chunk::kPageIndex, chunk::kPages}) ||
+      !streamsCanBeCounted(asset, loaded.present))
+    return false;
+  const uint64_t pages = uint64_t(asset.streamCount()) * asset.tiles.size();
+  return asset.streamMasks.size() == pages && loaded.pageIndex.size() == pages;
 }
 
 void checkPageIndex(const LoadedAsset& loaded, uint64_t pagesSize, const Reporter& report) {

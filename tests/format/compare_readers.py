@@ -23,10 +23,12 @@ def expected_tables(ptb, every):
     for name in ("ATLS", "RECS", "TILE"):
         yield name, ptb.tables[name]
     yield "VISI", ptb.tables["VISI"][::every]
+    yield "CELL", ptb.tables["CELL"]
     yield "MASK", ptb.tables["MASK"]
-    directions, triangles = read_ptb.view_sphere(ptb.frequency)
-    yield "views", directions
-    yield "viewTriangles", triangles
+    for name, frequency in [("view", ptb.frequency), *(("cell", row[0]) for row in ptb.tables["CELL"])]:
+        directions, triangles = read_ptb.view_sphere(frequency)
+        yield f"{name}s", directions
+        yield f"{name}Triangles", triangles
     for index, (stream, tile, _, _, entry) in enumerate(ptb.page_list()):
         if index % every == 0:
             yield f"page {stream} {tile}", ptb.page(stream, tile, entry)
@@ -36,7 +38,7 @@ def same(name, ours, theirs):
     if name == "PROV":
         return ours == theirs
     ours = [list(row) for row in ours]
-    if name != "views":
+    if name not in ("views", "cells"):
         return ours == theirs
     # Directions are computed, not read: single precision there, double here.
     return len(ours) == len(theirs) and all(abs(a - b) < 1e-6 for p, q in zip(ours, theirs) for a, b in zip(p, q))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the C++ side of the format's agreement test needs:
-//   format_tool sample OUT.ptb [split]    write a small asset with a value of its own in every field
-//   format_tool dump ASSET.ptb [EVERY]    print all values as JSON, one table a line; of texels, maps and
-//   pages, every EVERYth
+//   format_tool sample OUT.ptb [split|cells]    write a small asset with a value of its own in every field
+//   format_tool dump ASSET.ptb [EVERY]          print all values as JSON, one table a line; of texels, maps
+//   and pages, every EVERYth
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
@@ -100,6 +100,7 @@ Row toRow(const TexelRecord& r) {
 }
 Row toRow(const Tile& t) { return Row(t.firstRecord, t.recordCount, t.glossyBoxes, t.diffuseBoxes); }
 Row toRow(const VisibilityMap& map) { return Row(map); }
+Row toRow(const CellSphere& sphere) { return Row(sphere.frequency, sphere.count); }
 Row toRow(const PackedBox& packed) {
   if (isEmission(packed)) return Row(packed.kind, unpackEmission(packed));
   if (isHiddenPart(packed)) return Row(packed.kind, unpackHiddenPart(packed));
@@ -121,6 +122,12 @@ std::vector<T> everyNth(const std::vector<T>& table, uint64_t every) {
 
 void printTexels(const std::vector<uint32_t>& texels) {
   printTable("TEXD", texels, [](uint32_t t) { return Row(t & 255, t >> 8 & 255, t >> 16 & 255, t >> 24); });
+}
+
+void printSphere(const std::string& name, uint32_t frequency) {
+  const ViewSphere sphere(frequency);
+  printTable(name + "s", sphere.directions(), [](vec3 direction) { return Row(direction); });
+  printTable(name + "Triangles", sphere.triangles(), [](uvec3 triangle) { return Row(triangle); });
 }
 
 void printPages(const AssetReader& reader, uint64_t every) {
@@ -153,10 +160,10 @@ void dump(const char* path, uint64_t every) {
   printTable("RECS", asset.records);
   printTable("TILE", asset.tiles);
   printTable("VISI", everyNth(asset.visibilityMaps, every));
+  printTable("CELL", asset.cellSphere);
   printTable("MASK", asset.streamMasks, [](uint64_t mask) { return Row(mask); });
-  const ViewSphere views(asset.info.viewFrequency);
-  printTable("views", views.directions(), [](vec3 direction) { return Row(direction); });
-  printTable("viewTriangles", views.triangles(), [](uvec3 triangle) { return Row(triangle); });
+  printSphere("view", asset.info.viewFrequency);
+  for (const CellSphere& sphere : asset.cellSphere) printSphere("cell", sphere.frequency);
   printPages(reader, every);
 }
 
@@ -165,14 +172,18 @@ void dump(const char* path, uint64_t every) {
 
 int main(int argc, char** argv) try {
   const std::string_view command = argc >= 3 ? argv[1] : "";
-  if (command == "sample" && (argc == 3 || std::string_view(argv[3]) == "split")) {
-    const bool split = argc > 3;
-    boxlight::asset::makeSample({.viewFrequency = 3, .records = 150, .recordsPerTile = 64, .split = split})
+  const std::string_view option = argc >= 4 ? argv[3] : "";
+  if (command == "sample" && (argc == 3 || option == "split" || option == "cells")) {
+    boxlight::asset::makeSample({.viewFrequency = 3,
+                                 .records = 150,
+                                 .recordsPerTile = 64,
+                                 .split = argc > 3,
+                                 .cells = option == "cells"})
         .write(argv[2]);
   } else if (command == "dump") {
     boxlight::asset::dump(argv[2], argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
   } else {
-    fmt::print(stderr, "usage: format_tool sample OUT.ptb [split] | dump ASSET.ptb [EVERY]\n");
+    fmt::print(stderr, "usage: format_tool sample OUT.ptb [split|cells] | dump ASSET.ptb [EVERY]\n");
     return 1;
   }
   return 0;

@@ -38,14 +38,16 @@ TABLES = {
     "RECS": struct.Struct("<3fI3fI3ff3ff3I4x"),
     "TILE": struct.Struct("<4I"),
     "VISI": struct.Struct("<256I"),
+    "CELL": struct.Struct("<2I"),
     "MASK": struct.Struct("<Q"),
     "PGIX": struct.Struct("<QIIQ"),
 }
-OPTIONAL = ["MATX", "TXFM", "VISI"]
+OPTIONAL = ["MATX", "TXFM", "VISI", "CELL"]
 REQUIRED = [name for name in ["PROV", *TABLES, "TEXD", "PAGE"] if name not in OPTIONAL]
 BOX = struct.Struct("<4H3eH")
 LIGHT, EMISSION, HIDDEN = 0, 1, 2
-SKETCH, SPLIT = 1, 2
+SKETCH, SPLIT, CELLS = 1, 2, 3
+BACK_SIDE, SPLIT_LOBE, DIRECTION_CELLS = 1, 2, 4  # flags of a record
 FLOAT_MAX = (2 - 2**-23) * 2.0**127
 
 
@@ -94,6 +96,7 @@ class Ptb:
         require(len(self.raw["TEXD"]) % 4 == 0, "TEXD: not a whole number of texels")
         self.texels = memoryview(self.raw["TEXD"])
         self.read_info()
+        self.read_cells()
         self.check_mesh()
         self.check_atlas()
         self.check_tiles()
@@ -109,7 +112,7 @@ class Ptb:
         end = HEADER.size + count * CHUNK.size
         require(count <= 256 and end <= len(data), "head: chunk table")
         require(xxh64(data[:32] + data[HEADER.size : end]) == head_hash, "head: hash")
-        require(scheme in (SKETCH, SPLIT), f"head: scheme {scheme}", Unsupported)
+        require(scheme in (SKETCH, SPLIT, CELLS), f"head: scheme {scheme}", Unsupported)
         self.header = (major, minor, scheme, count, size, head_hash)
         self.chunk_rows = [CHUNK.unpack_from(data, HEADER.size + i * CHUNK.size) for i in range(count)]
         self.chunks = {}
@@ -149,6 +152,13 @@ class Ptb:
         for name in ("INFO", "VERT", "MATL", "MATX", "TXFM", "RECS"):
             require(all(math.isfinite(n) for row in self.tables[name] for n in row), f"{name}: not finite")
 
+    def read_cells(self):
+        spheres = self.tables["CELL"]
+        require(len(spheres) == (1 if self.header[2] == CELLS else 0), "CELL: not one entry in a file of cells, or some in another")
+        for frequency, count in spheres:
+            require(1 <= frequency <= 16 and count == 10 * frequency**2 + 2, "CELL: cells")
+        self.stream_count = self.view_count + 1 + sum(count for _, count in spheres)
+
     def check_mesh(self):
         t = self.tables
         for *corners, material in t["TRIS"]:
@@ -178,15 +188,17 @@ class Ptb:
         require(len(self.tables["ATLS"]) == width * height, "ATLS: count")
         for sides in self.tables["ATLS"]:
             for back, record in enumerate(sides):
-                require(record == NONE or (record < len(records) and records[record][3] & 1 == back), "ATLS: record")
+                require(record == NONE or (record < len(records) and records[record][3] & BACK_SIDE == back), "ATLS: record")
         for row in records:
             require(row[7] < len(self.tables["MATL"]), "RECS: material")
             require(row[16] < width and row[17] < height, "RECS: texel")
             for vector in (row[4:7], row[8:11]):
                 require(abs(math.hypot(*vector) - 1) < 1e-3, "RECS: not unit")
-        split = sum(row[3] >> 1 & 1 for row in records)
+            lobe, cells = row[3] & SPLIT_LOBE, row[3] & DIRECTION_CELLS
+            require(not lobe or self.header[2] in (SPLIT, CELLS), "RECS: split records in a sketch")
+            require(not cells or (lobe and self.header[2] == CELLS), "RECS: direction cells without a split lobe or the scheme")
+        split = sum(bool(row[3] & SPLIT_LOBE) for row in records)
         require(split == len(self.tables["VISI"]), "VISI: not one map for each split record")
-        require(split == 0 or self.header[2] == SPLIT, "RECS: split records in a sketch")
 
     def check_tiles(self):
         end = 0
@@ -195,7 +207,7 @@ class Ptb:
             end = first + count
         require(end == len(self.tables["RECS"]), "TILE: do not cover the records")
         for name in ("MASK", "PGIX"):
-            require(len(self.tables[name]) == (self.view_count + 1) * len(self.tables["TILE"]), f"{name}: count")
+            require(len(self.tables[name]) == self.stream_count * len(self.tables["TILE"]), f"{name}: count")
 
     def page_list(self):
         """(stream, tile, mask, boxes per kernel, page entry) of every page, absent ones included."""
@@ -204,11 +216,18 @@ class Ptb:
             stream, tile = divmod(index, len(tiles))
             yield stream, tile, mask, tiles[tile][3 if stream == self.view_count else 2], entry
 
+    def records_of(self, mask, tile):
+        first = self.tables["TILE"][tile][0]
+        return [first + bit for bit in range(64) if mask >> bit & 1]
+
     def check_pages(self):
         size = self.chunks["PAGE"][3]
         for stream, tile, mask, boxes, (offset, stored, raw, _) in self.page_list():
             place = f"page {stream} {tile}"
             require(mask >> self.tables["TILE"][tile][1] == 0 and (mask == 0 or boxes > 0), f"{place}: mask")
+            kinds = {self.tables["RECS"][record][3] & DIRECTION_CELLS for record in self.records_of(mask, tile)}
+            allowed = {0, DIRECTION_CELLS} if stream == self.view_count else {DIRECTION_CELLS} if stream > self.view_count else {0}
+            require(kinds <= allowed, f"{place}: mask of records with and without direction cells")
             require(raw == 16 * bin(mask).count("1") * boxes and (raw == 0) == (stored == 0), f"{place}: size")
             require(offset + stored <= size, f"{place}: range")
 
@@ -244,13 +263,12 @@ class Ptb:
 
     def check_kinds(self, stream, tile, kernels):
         """Emitted radiance in slot 0 only; behind it, exactly the glossy kernels of split records say their hidden part."""
-        (mask,), first = self.tables["MASK"][stream * len(self.tables["TILE"]) + tile], self.tables["TILE"][tile][0]
-        records = [first + bit for bit in range(64) if mask >> bit & 1]
-        for record, kinds in zip(records, kernels):
+        (mask,) = self.tables["MASK"][stream * len(self.tables["TILE"]) + tile]
+        for record, kinds in zip(self.records_of(mask, tile), kernels):
             place = f"page {stream} {tile}, record {record}"
             if kinds[0] == EMISSION:
                 kinds = kinds[1:]
-            if stream != self.view_count and self.tables["RECS"][record][3] & 2:
+            if stream != self.view_count and self.tables["RECS"][record][3] & SPLIT_LOBE:
                 require(kinds[:1] == [HIDDEN], f"{place}: no hidden part")
                 kinds = kinds[1:]
             require(set(kinds) <= {LIGHT}, f"{place}: kinds")

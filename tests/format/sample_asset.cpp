@@ -169,6 +169,31 @@ void splitRecords(Asset& asset) {
   }
 }
 
+/// Of split records. The sphere has another frequency than that of the views.
+void addCells(Asset& asset, uint32_t viewFrequency) {
+  const uint32_t f = viewFrequency == 2 ? 1 : 2;
+  asset.scheme = Scheme::cells;
+  asset.cellSphere = {{f, 10 * f * f + 2}};
+  for (size_t i = 0; i < asset.records.size(); i += 3) asset.records[i].flags |= kDirectionCells;
+}
+
+uint64_t recordsWithCells(const Asset& asset, const Tile& tile) {
+  uint64_t bits = 0;
+  for (uint32_t r = 0; r < tile.recordCount; ++r)
+    if (asset.hasCells(tile.firstRecord + r)) bits |= uint64_t(1) << r;
+  return bits;
+}
+
+/// Every other record has a kernel, and bit 2; none of the tiles but the first has any in every third view.
+uint64_t maskOf(const Asset& asset, uint32_t stream, uint32_t tile) {
+  const uint64_t all = ~uint64_t(0) >> (64 - asset.tiles[tile].recordCount);
+  if (stream == asset.diffuseStream()) return all;
+  const uint64_t some = (0x5555555555555555ull << stream % 2 | 4) & all;
+  const uint64_t withCells = recordsWithCells(asset, asset.tiles[tile]);
+  if (stream >= asset.firstCellStream()) return some & withCells;
+  return tile > 0 && stream % 3 == 0 ? 0 : some & ~withCells;
+}
+
 /// Behind emitted radiance where a kernel has it, else in slot 0.
 void addHiddenParts(Sample& sample) {
   const Asset& asset = sample.asset;
@@ -186,7 +211,7 @@ void addHiddenParts(Sample& sample) {
   }
 }
 
-/// Tile 0 has glossy and Lambert kernels of different lengths, the others no glossy ones in every third view.
+/// Tile 0 has glossy and Lambert kernels of different lengths.
 void addPages(Sample& sample, Numbers& numbers, const SampleSize& size) {
   Asset& asset = sample.asset;
   const uint32_t fewest = size.split ? 4 : 2;
@@ -194,13 +219,8 @@ void addPages(Sample& sample, Numbers& numbers, const SampleSize& size) {
     asset.tiles.push_back(
         {first, std::min(size.recordsPerTile, size.records - first), first == 0 ? 3 : fewest, 4});
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
-    for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
-      const uint64_t all = ~uint64_t(0) >> (64 - asset.tiles[tile].recordCount);
-      const bool hidden = tile > 0 && stream % 3 == 0 && stream != asset.diffuseStream();
-      const uint64_t some =
-          stream == asset.diffuseStream() ? all : (0x5555555555555555ull << stream % 2 | 4) & all;
-      asset.streamMasks.push_back(hidden ? 0 : some);
-    }
+    for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile)
+      asset.streamMasks.push_back(maskOf(asset, stream, tile));
   for (size_t i = 0; i < asset.streamMasks.size(); ++i) {
     const auto stream = uint32_t(i / asset.tiles.size()), tile = uint32_t(i % asset.tiles.size());
     sample.pages.push_back(makePage(
@@ -229,6 +249,7 @@ Sample makeSample(SampleSize size) {
   if (size.extensions) addExtensions(asset);
   addRecords(asset, numbers, size);
   if (size.split) splitRecords(asset);
+  if (size.cells) addCells(asset, size.viewFrequency);
   addPages(sample, numbers, size);
   if (size.extensions) addEmission(sample);
   if (size.split) addHiddenParts(sample);

@@ -37,6 +37,16 @@ inline std::function<void(Surgeon&)> inEntry(uint32_t type, std::function<void(C
 inline std::function<void(Surgeon&)> inBox(size_t page, size_t box, std::function<void(PackedBox&)> change) {
   return [=](Surgeon& s) { s.editBox(page, box, change); };
 }
+inline std::function<void(Surgeon&)> toBox(size_t page, size_t box) {
+  return inBox(page, box, [](PackedBox& b) { b = packBox({0, 0, 0.5f, 0.5f, Rgb(0.25f)}); });
+}
+inline std::function<void(Surgeon&)> toHidden(size_t page, size_t box) {
+  return inBox(page, box, [](PackedBox& b) { b = packHiddenPart(0.5f); });
+}
+/// An edit of a record's flags.
+inline std::function<void(Surgeon&)> inFlags(size_t record, std::function<void(uint32_t&)> change) {
+  return in<TexelRecord>(chunk::kRecords, record, [=](TexelRecord& r) { change(r.flags); });
+}
 
 /// For findings that end the reading.
 class Hostile : public ::testing::TestWithParam<Case> {

@@ -14,21 +14,12 @@ constexpr size_t kMixedPage = 2;     // record 1: three boxes; record 2
 constexpr size_t kEmittedPage = 5;   // record 3: emitted radiance, hidden part, two boxes
 constexpr size_t kLambertPage = 25;  // records 3 and 4, without emitted radiance
 
-std::function<void(Surgeon&)> inFlags(size_t record, std::function<void(uint32_t&)> change) {
-  return in<TexelRecord>(chunk::kRecords, record, [=](TexelRecord& r) { change(r.flags); });
-}
 std::function<void(Surgeon&)> resizeMaps(int64_t bytes) {
   return [=](Surgeon& s) {
     Bytes maps = s.chunk(chunk::kVisibilityMaps);
     maps.resize(size_t(int64_t(maps.size()) + bytes));
     s.setChunk(chunk::kVisibilityMaps, maps);
   };
-}
-std::function<void(Surgeon&)> toBox(size_t page, size_t box) {
-  return inBox(page, box, [](PackedBox& b) { b = packBox({0, 0, 0.5f, 0.5f, Rgb(0.25f)}); });
-}
-std::function<void(Surgeon&)> toHidden(size_t page, size_t box) {
-  return inBox(page, box, [](PackedBox& b) { b = packHiddenPart(0.5f); });
 }
 std::function<void(Surgeon&)> swapSlots(size_t page, size_t a, size_t b) {
   return [=](Surgeon& s) {
@@ -87,7 +78,7 @@ const std::vector<Case> kHiddenCases = {
 
 const std::vector<Case> kHarmless = {
     {"boxesBesideHidden", kernelEnergy, inBox(kPage, 4, [](PackedBox& b) { b.energy[0] = 0x4900; }), kSplit},
-    {"unknownRecordFlag", reserved, inFlags(0, [](uint32_t& flags) { flags |= 4; }), kSplit},
+    {"unknownRecordFlag", reserved, inFlags(0, [](uint32_t& flags) { flags |= 8; }), kSplit},
 };
 
 INSTANTIATE_TEST_SUITE_P(Maps, Hostile, ::testing::ValuesIn(kMapCases), kCaseName);

@@ -23,7 +23,7 @@ std::string nested(int depth) {
 const std::vector<Case> kHeadCases = {
     {"majorVersion", majorVersion, [](Surgeon& s) { s.header.majorVersion = 2; }},
     {"majorVersionZero", majorVersion, [](Surgeon& s) { s.header.majorVersion = 0; }},
-    {"scheme", scheme, [](Surgeon& s) { s.header.scheme = Scheme(3); }},
+    {"scheme", scheme, [](Surgeon& s) { s.header.scheme = Scheme(4); }},
     {"schemeZero", scheme, [](Surgeon& s) { s.header.scheme = Scheme(0); }},
     {"hugeChunkCount", chunkTable, [](Surgeon& s) { s.seal = false, s.header.chunkCount = 0xFFFFFFFFu; }},
     {"tooManyChunks", chunkTable, [](Surgeon& s) { s.seal = false, s.header.chunkCount = kMaxChunks + 1; }},

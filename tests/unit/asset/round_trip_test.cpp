@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <functional>
 #include <thread>
 
 #include "common/asset/asset_load.h"
@@ -37,6 +38,7 @@ void expectSame(const Sample& sample, const AssetReader& reader) {
   EXPECT_TRUE(sameBytes(written.records, read.records));
   EXPECT_TRUE(sameBytes(written.tiles, read.tiles));
   EXPECT_TRUE(sameBytes(written.visibilityMaps, read.visibilityMaps));
+  EXPECT_TRUE(sameBytes(written.cellSphere, read.cellSphere));
   EXPECT_TRUE(sameBytes(written.streamMasks, read.streamMasks));
   for (uint32_t stream = 0; stream < read.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < read.tiles.size(); ++tile)
@@ -57,11 +59,16 @@ TEST_P(RoundTrip, everyValueComesBack) {
 
 INSTANTIATE_TEST_SUITE_P(
     Sizes, RoundTrip,
-    ::testing::Values(SampleSize{}, SampleSize{.viewFrequency = 3, .records = 70, .recordsPerTile = 64},
-                      SampleSize{.records = 64, .recordsPerTile = 64}, SampleSize{.records = 0},
-                      SampleSize{.extensions = false}, SampleSize{.split = true},
-                      SampleSize{.extensions = false, .split = true},
-                      SampleSize{.viewFrequency = 2, .records = 70, .recordsPerTile = 64, .split = true}));
+    ::testing::Values(
+        SampleSize{}, SampleSize{.viewFrequency = 3, .records = 70, .recordsPerTile = 64},
+        SampleSize{.records = 64, .recordsPerTile = 64}, SampleSize{.records = 0},
+        SampleSize{.extensions = false}, SampleSize{.split = true},
+        SampleSize{.extensions = false, .split = true},
+        SampleSize{.viewFrequency = 2, .records = 70, .recordsPerTile = 64, .split = true},
+        SampleSize{.split = true, .cells = true},
+        SampleSize{.extensions = false, .split = true, .cells = true},
+        SampleSize{.records = 0, .split = true, .cells = true},
+        SampleSize{.viewFrequency = 2, .records = 70, .recordsPerTile = 64, .split = true, .cells = true}));
 
 TEST(RoundTrip, theSampleHasSplitRecordsWithEmissionAndWithout) {
   const Sample sample = makeSample({.split = true});
@@ -74,6 +81,23 @@ TEST(RoundTrip, theSampleHasSplitRecordsWithEmissionAndWithout) {
   EXPECT_EQ(sample.asset.visibilityMaps.size(), 3u);
   EXPECT_GT(withEmission, 0u);
   EXPECT_GT(split, withEmission);
+}
+
+TEST(RoundTrip, theSampleHasCellsWithEmissionAndWithoutAndCellsThatAreAbsent) {
+  const Sample sample = makeSample({.split = true, .cells = true});
+  const Asset& asset = sample.asset;
+  ASSERT_EQ(asset.streamCount(), 12u + 1 + 42);
+  size_t plain = 0, withEmission = 0, absent = 0;
+  for (uint32_t stream = asset.firstCellStream(); stream < asset.streamCount(); ++stream)
+    for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
+      const std::vector<PackedBox>& page = sample.pages[stream * asset.tiles.size() + tile];
+      absent += page.empty();
+      withEmission += page.size() > 1 && isEmission(page[0]) && isHiddenPart(page[1]);
+      plain += !page.empty() && isHiddenPart(page[0]);
+    }
+  EXPECT_GT(plain, 0u);
+  EXPECT_GT(withEmission, 0u);
+  EXPECT_GT(absent, 0u);
 }
 
 TEST(AssetWriter, leavesOutTheOptionalTablesThatAreEmpty) {
@@ -94,6 +118,9 @@ TEST(AssetWriter, leavesOutTheOptionalTablesThatAreEmpty) {
   EXPECT_EQ(typesOf({.extensions = false, .split = true}),
             (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "TEXI", "TEXD", "ATLS", "RECS", "TILE", "VISI",
                    "MASK", "PAGE", "PGIX"}));
+  EXPECT_EQ(typesOf({.extensions = false, .split = true, .cells = true}),
+            (Types{"PROV", "INFO", "VERT", "TRIS", "MATL", "TEXI", "TEXD", "ATLS", "RECS", "TILE", "VISI",
+                   "CELL", "MASK", "PAGE", "PGIX"}));
 }
 
 TEST(AssetWriter, givesTheSameBytesForTheSameInput) {
@@ -174,6 +201,28 @@ TEST(AssetWriter, refusesWhatTheReaderWouldRefuse) {
   for (const Sample* sample : {&badIndex, &badBox, &shortPage, &badProvenance, &badExtension, &viewsDisagree,
                                &flagsAlone, &aMapTooFew, &schemeOfSketch, &noHiddenPart})
     expectRefusal(*sample);
+}
+
+TEST(AssetWriter, refusesCellsThatTheReaderWouldRefuse) {
+  const Sample sound = makeSample({.split = true, .cells = true});
+  const TemporaryFile file;
+  const auto expectRefusal = [&](const char* what, const std::function<void(Sample&)>& change) {
+    Sample sample = sound;
+    change(sample);
+    EXPECT_THROW(sample.write(file.path), Error) << what;
+    EXPECT_FALSE(std::filesystem::exists(file.path)) << what;
+  };
+  expectRefusal("no sphere", [](Sample& s) { s.asset.cellSphere.clear(); });
+  expectRefusal("two spheres", [](Sample& s) { s.asset.cellSphere.push_back({2, 42}); });
+  expectRefusal("count", [](Sample& s) { s.asset.cellSphere[0].count = 0xFFFFFFFFu; });
+  expectRefusal("scheme", [](Sample& s) { s.asset.scheme = Scheme::split; });
+  expectRefusal("no split lobe", [](Sample& s) { s.asset.records[1].flags |= kDirectionCells; });
+  expectRefusal("in views", [](Sample& s) { s.asset.records[2].flags |= kDirectionCells; });
+  expectRefusal("in cells", [](Sample& s) { s.asset.records[0].flags &= ~uint32_t(kDirectionCells); });
+  expectRefusal("masks", [](Sample& s) { s.asset.streamMasks.resize(13 * s.asset.tiles.size()); });
+  expectRefusal("no hidden part", [](Sample& s) { s.pages[28][0].kind = kLightBox; });
+  sound.write(file.path);
+  EXPECT_TRUE(std::filesystem::exists(file.path));
 }
 
 TEST(AssetReader, readsPagesFromSeveralThreads) {

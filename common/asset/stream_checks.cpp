@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which streams there are, and which records have kernels in them.
+#include <algorithm>
+
+#include "common/asset/asset_checks.h"
+#include "common/asset/number_checks.h"
+
+namespace boxlight::asset {
+namespace {
+
+using enum FindingCode;
+
+bool cellSphereIsSound(const Asset& asset) {
+  if (asset.scheme != Scheme::cells) return asset.cellSphere.empty();
+  if (asset.cellSphere.size() != 1) return false;
+  const auto [frequency, count] = asset.cellSphere.front();
+  return isFrequency(frequency) && count == sphereVertices(frequency);
+}
+
+void checkCellSphere(const Asset& asset, const Reporter& report) {
+  if (cellSphereIsSound(asset)) return;
+  if (asset.scheme != Scheme::cells || asset.cellSphere.size() != 1)
+    return report(directionCells, chunk::kCellSphere, "", "{} entries in a file of the scheme {}",
+                  asset.cellSphere.size(), schemeName(asset.scheme));
+  report(directionCells, chunk::kCellSphere, "", "{} cells at frequency {}, allowed are frequencies 1 to {}",
+         asset.cellSphere[0].count, asset.cellSphere[0].frequency, kMaxViewFrequency);
+}
+
+/// Bit r: does record r of the tile have direction cells? Records that do not exist have none.
+uint64_t recordsWithCells(const Asset& asset, const Tile& tile) {
+  uint64_t bits = 0;
+  for (uint32_t r = 0; r < std::min(tile.recordCount, kTileRecords); ++r) {
+    const uint64_t record = uint64_t(tile.firstRecord) + r;
+    if (record < asset.records.size() && asset.hasCells(uint32_t(record))) bits |= uint64_t(1) << r;
+  }
+  return bits;
+}
+
+void checkMask(const Asset& asset, uint32_t stream, uint32_t tile, const Reporter& report) {
+  const uint64_t mask = asset.mask(stream, tile);
+  const uint32_t records = asset.tiles[tile].recordCount;
+  if (records < 64 && mask >> records != 0)
+    report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
+           "mask {:#x} of a tile of {} records", mask, records);
+  if (mask != 0 && asset.boxesPerKernel(stream, tile) == 0)
+    report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
+           "mask {:#x}, but the kernels have no boxes", mask);
+}
+
+/// A record has its gloss in the streams of the views or in those of the cells.
+void checkCellMasks(const Asset& asset, const Reporter& report) {
+  for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
+    const uint64_t withCells = recordsWithCells(asset, asset.tiles[tile]);
+    for (uint32_t stream = 0; stream < asset.streamCount(); ++stream) {
+      if (stream == asset.diffuseStream()) continue;
+      const bool isCell = stream >= asset.firstCellStream();
+      const uint64_t strangers = asset.mask(stream, tile) & (isCell ? ~withCells : withCells);
+      if (strangers != 0)
+        report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
+               "bits {:#x} are of records {} direction cells", strangers, isCell ? "without" : "with");
+    }
+  }
+}
+
+}  // namespace
+
+bool streamsCanBeCounted(const Asset& asset, const ChunkSet& present) {
+  const auto& info = asset.info;
+  return present.has({chunk::kInfo, chunk::kCellSphere}) && isFrequency(info.viewFrequency) &&
+         info.viewCount == sphereVertices(info.viewFrequency) && cellSphereIsSound(asset);
+}
+
+void checkMasks(const Asset& asset, const ChunkSet& present, const Reporter& report) {
+  if (!present.has({chunk::kTiles, chunk::kStreamMasks}) || !streamsCanBeCounted(asset, present)) return;
+  const uint64_t expected = uint64_t(asset.streamCount()) * asset.tiles.size();
+  if (asset.streamMasks.size() != expected)
+    return report(counts, chunk::kStreamMasks, "", "{} masks, expected {}", asset.streamMasks.size(),
+                  expected);
+  for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
+    for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) checkMask(asset, stream, tile, report);
+  if (present.has({chunk::kRecords})) checkCellMasks(asset, report);
+}
+
+void checkCells(const Asset& asset, const ChunkSet& present, const Reporter& report) {
+  if (present.has({chunk::kCellSphere})) checkCellSphere(asset, report);
+  for (uint32_t i = 0; i < asset.records.size(); ++i) {
+    if (!asset.hasCells(i)) continue;
+    if (asset.scheme != Scheme::cells)
+      report(directionCells, chunk::kRecords, fmt::format("record {}", i),
+             "direction cells in a file of the scheme {}", schemeName(asset.scheme));
+    else if (!asset.isSplit(i))
+      report(directionCells, chunk::kRecords, fmt::format("record {}", i),
+             "direction cells without a split lobe");
+  }
+}
+
+}  // namespace boxlight::asset
