@@ -28,7 +28,10 @@ TEST_P(Compatibility, readsAsItDid) {
   EXPECT_EQ(reader.page(12, 1).size(), 8u);
   EXPECT_EQ(reader.asset().materialExtensions.empty(), !GetParam().sample.extensions);
   EXPECT_EQ(reader.asset().visibilityMaps.size(), GetParam().sample.split ? 3u : 0u);
-  EXPECT_EQ(isHiddenPart(reader.page(2, 1)[1]), GetParam().sample.split) << "record 3, behind its emission";
+  const bool cells = GetParam().sample.cells;
+  EXPECT_EQ(reader.asset().cellCount(), cells ? 42u : 0u);
+  EXPECT_EQ(isHiddenPart(reader.page(cells ? 14 : 2, 1)[1]), GetParam().sample.split)
+      << "record 3, behind its emission, in view 2 or cell 1";
 }
 
 TEST_P(Compatibility, isWhatIsWrittenToday) {
@@ -41,7 +44,8 @@ INSTANTIATE_TEST_SUITE_P(
     Versions, Compatibility,
     ::testing::Values(Version{"version-1.0.ptb", 0xe9acc4d4c205abbdull, {.extensions = false}},
                       Version{"version-1.1.ptb", 0x2494a6ebac4d2b26ull, {}},
-                      Version{"version-1.2.ptb", 0xe0cf0c3ba180b77aull, {.split = true}}));
+                      Version{"version-1.2.ptb", 0xe0cf0c3ba180b77aull, {.split = true}},
+                      Version{"version-1.3.ptb", 0x5a174fe6224cc596ull, {.split = true, .cells = true}}));
 
 }  // namespace
 }  // namespace boxlight::asset
