@@ -24,7 +24,7 @@ struct PageTotals {
 };
 
 struct Summary {
-  PageTotals glossy, diffuse;
+  PageTotals glossy, diffuse, cells;
   uint64_t head = 0, padding = 0, coveredTexels = 0;
 };
 
@@ -34,6 +34,11 @@ void addPage(PageTotals& totals, uint64_t kernels, uint64_t boxes, const asset::
   totals.boxes += boxes;
   totals.stored += page.storedSize;
   totals.raw += page.rawSize;
+}
+
+PageTotals& totalsOf(Summary& summary, const Asset& asset, uint32_t stream) {
+  if (stream == asset.diffuseStream()) return summary.diffuse;
+  return stream < asset.diffuseStream() ? summary.glossy : summary.cells;
 }
 
 /// The kernels of a tile agree on whether they begin with emitted radiance, so that one page of each kind
@@ -59,11 +64,12 @@ Summary summarise(const AssetReader& reader) {
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
       const auto kernels = uint64_t(std::popcount(asset.mask(stream, tile)));
-      addPage(stream == asset.diffuseStream() ? summary.diffuse : summary.glossy, kernels,
-              kernels * asset.boxesPerKernel(stream, tile), reader.pageEntry(stream, tile));
+      addPage(totalsOf(summary, asset, stream), kernels, kernels * asset.boxesPerKernel(stream, tile),
+              reader.pageEntry(stream, tile));
     }
   summary.glossy.emitted = emittedKernels(reader, 0, asset.diffuseStream());
-  summary.diffuse.emitted = emittedKernels(reader, asset.diffuseStream(), asset.streamCount());
+  summary.diffuse.emitted = emittedKernels(reader, asset.diffuseStream(), asset.firstCellStream());
+  summary.cells.emitted = emittedKernels(reader, asset.firstCellStream(), asset.streamCount());
   summary.head = sizeof(asset::FileHeader) + reader.chunks().size() * sizeof(ChunkEntry);
   summary.padding = reader.header().fileSize - summary.head;
   for (const ChunkEntry& entry : reader.chunks()) summary.padding -= entry.storedSize;
@@ -105,7 +111,8 @@ Json bytesToJson(const AssetReader& reader, const Summary& summary) {
           {"padding", summary.padding},
           {"chunks", chunks},
           {"glossyPages", pagesToJson(summary.glossy, records)},
-          {"diffusePages", pagesToJson(summary.diffuse, records)}};
+          {"diffusePages", pagesToJson(summary.diffuse, records)},
+          {"cellPages", pagesToJson(summary.cells, records)}};
 }
 
 Json mapsToJson(const AssetReader& reader) {
@@ -114,6 +121,14 @@ Json mapsToJson(const AssetReader& reader) {
     if (entry.type == asset::chunk::kVisibilityMaps)
       maps["stored"] = entry.storedSize, maps["raw"] = entry.rawSize;
   return maps;
+}
+
+Json cellsToJson(const Asset& asset) {
+  uint64_t records = 0;
+  for (uint32_t record = 0; record < asset.records.size(); ++record) records += asset.hasCells(record);
+  return {{"frequency", asset.cellSphere.empty() ? 0 : asset.cellSphere[0].frequency},
+          {"count", asset.cellCount()},
+          {"records", records}};
 }
 
 Json toJson(const AssetReader& reader) {
@@ -137,6 +152,7 @@ Json toJson(const AssetReader& reader) {
         {"records", info.recordCount},
         {"tiles", info.tileCount}}},
       {"visibilityMaps", mapsToJson(reader)},
+      {"cells", cellsToJson(asset)},
       {"materialTerms", materialTerms(asset)},
       {"bytes", bytesToJson(reader, summary)}};
 }
@@ -161,6 +177,7 @@ void printBytes(const Json& bytes) {
                entry["codec"].get<std::string>());
   printPages(" glossy", bytes["glossyPages"]);
   printPages(" diffuse", bytes["diffusePages"]);
+  if (bytes["cellPages"]["pages"] != 0) printPages(" cells", bytes["cellPages"]);
   fmt::print("  {:<8} {:>12}                {:.0f} bytes a record\n", "all", bytes["file"].get<uint64_t>(),
              bytes["perRecord"].get<double>());
 }
@@ -196,8 +213,11 @@ void printText(const Json& summary) {
   if (const Json& maps = summary["visibilityMaps"]; maps["count"] != 0)
     print("visibility", fmt::format("{} maps of split records, {} bytes of {}", maps["count"].dump(),
                                     maps["stored"].dump(), maps["raw"].dump()));
+  if (const Json& cells = summary["cells"]; cells["count"] != 0)
+    print("cells", fmt::format("{} (frequency {}), of {} records", cells["count"].dump(),
+                               cells["frequency"].dump(), cells["records"].dump()));
   const Json& bytes = summary["bytes"];
-  for (const char* kind : {"glossyPages", "diffusePages"})
+  for (const char* kind : {"glossyPages", "diffusePages", "cellPages"})
     if (const Json& emitted = bytes[kind]["emittedKernels"]; emitted != 0)
       print("emission", fmt::format("in {} kernels of the {}", emitted.dump(), kind));
   printBytes(bytes);

@@ -63,7 +63,8 @@ TEST_F(Command, inspectAccountsForEveryByte) {
   EXPECT_EQ(sum, std::filesystem::file_size(file.path));
   EXPECT_EQ(pages,
             bytes["glossyPages"]["stored"].get<uint64_t>() + bytes["diffusePages"]["stored"].get<uint64_t>());
-  EXPECT_EQ(summary["version"], "1.2");
+  EXPECT_EQ(bytes["cellPages"]["pages"], 0);
+  EXPECT_EQ(summary["version"], "1.3");
   EXPECT_EQ(summary["counts"]["records"], 70);
   EXPECT_EQ(bytes["diffusePages"]["kernels"], 70);
   EXPECT_EQ(bytes["diffusePages"]["boxes"], 280);
@@ -109,15 +110,47 @@ TEST_F(Command, inspectNamesTheSchemeAndCountsVisibilityMaps) {
   EXPECT_GT(stored, 0u);
   EXPECT_EQ(maps["stored"], stored);
   const std::string text = run("inspect " + file.path.string()).output;
-  EXPECT_NE(text.find("1.2, scheme split"), std::string::npos) << text;
+  EXPECT_NE(text.find("1.3, scheme split"), std::string::npos) << text;
   EXPECT_NE(text.find(fmt::format("3 maps of split records, {} bytes of 3072", stored)), std::string::npos)
       << text;
+}
+
+TEST_F(Command, inspectCountsCells) {
+  const auto sketch = nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
+  EXPECT_EQ(sketch["cells"], nlohmann::json({{"frequency", 0}, {"count", 0}, {"records", 0}}));
+  EXPECT_EQ(run("inspect " + file.path.string()).output.find("cells"), std::string::npos);
+  const asset::Sample sample =
+      asset::makeSample({.records = 70, .recordsPerTile = 64, .split = true, .cells = true});
+  sample.write(file.path);
+  const auto summary = nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
+  EXPECT_EQ(summary["scheme"], "cells");
+  EXPECT_EQ(summary["cells"], nlohmann::json({{"frequency", 2}, {"count", 42}, {"records", 24}}));
+  uint64_t kernels = 0, emitted = 0, stored = 0, pages = 0;
+  for (uint32_t stream = 13; stream < 55; ++stream) {
+    emitted += uint64_t(std::popcount(sample.asset.mask(stream, 1)));
+    for (uint32_t tile = 0; tile < 2; ++tile)
+      kernels += uint64_t(std::popcount(sample.asset.mask(stream, tile)));
+  }
+  const auto& bytes = summary["bytes"];
+  EXPECT_EQ(bytes["cellPages"]["kernels"], kernels);
+  EXPECT_EQ(bytes["cellPages"]["emittedKernels"], emitted);
+  EXPECT_GT(emitted, 0u);
+  for (const char* kind : {"glossyPages", "diffusePages", "cellPages"})
+    pages += bytes[kind]["stored"].get<uint64_t>();
+  for (const auto& entry : bytes["chunks"])
+    if (entry["type"] == "PAGE") stored = entry["stored"];
+  EXPECT_EQ(pages, stored);
+  EXPECT_EQ(bytes["diffusePages"]["emittedKernels"], 64);
+  const std::string text = run("inspect " + file.path.string()).output;
+  for (const char* part :
+       {"1.3, scheme cells", "42 (frequency 2), of 24 records", " kernels of the cellPages"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
 TEST_F(Command, inspectPrintsText) {
   const Outcome result = run("inspect " + file.path.string());
   for (const char* part :
-       {"1.2, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
+       {"1.3, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
     EXPECT_NE(result.output.find(part), std::string::npos) << part << "\n" << result.output;
 }
 
