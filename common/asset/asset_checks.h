@@ -27,8 +27,8 @@ void checkMasks(const Asset& asset, const ChunkSet& present, const Reporter& rep
 void checkSplit(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkCells(const Asset& asset, const ChunkSet& present, const Reporter& report);
 
-/// Could INFO and CELL be read, and do they count as many views and cells as their frequencies have? Only
-/// then is Asset::streamCount() to be trusted, and small.
+/// Could INFO be read, and are views and cells as many as their frequencies have? Only then is
+/// Asset::streamCount() to be trusted, and small.
 bool streamsCanBeCounted(const Asset& asset, const ChunkSet& present);
 
 /// Does each table have as many entries as Info says?

@@ -65,8 +65,8 @@ void checkCellMasks(const Asset& asset, const Reporter& report) {
 }  // namespace
 
 bool streamsCanBeCounted(const Asset& asset, const ChunkSet& present) {
-  const auto& info = asset.info;
-  return present.has({chunk::kInfo, chunk::kCellSphere}) && isFrequency(info.viewFrequency) &&
+  const Info& info = asset.info;
+  return present.has({chunk::kInfo}) && isFrequency(info.viewFrequency) &&
          info.viewCount == sphereVertices(info.viewFrequency) && cellSphereIsSound(asset);
 }
 
