@@ -121,7 +121,8 @@ void addBakeOptions(CLI::App& command, BakeOptions& options) {
       ->option_text("X,Y");
   command
       .add_option("--view", options.view,
-                  "Of --texel: its kernel for this view; without it, the Lambert kernel")
+                  "Of --texel: its kernel for this view, or direction cell if it has those; without it, the "
+                  "Lambert kernel")
       ->option_text("N");
   command.add_option("--side", options.side, "Of --texel")
       ->check(CLI::IsMember({"front", "back"}))

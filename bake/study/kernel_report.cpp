@@ -21,7 +21,8 @@ Json recordToJson(const KernelStudy& study) {
           {"position", triple(r.position)},
           {"normal", triple(r.normal)},
           {"roughness", r.roughness},
-          {"split", study.plan.isSplit()}};
+          {"split", study.plan.isSplit()},
+          {"cells", study.plan.hasCells()}};
 }
 
 Json boxToJson(const Box& box) {
@@ -64,7 +65,9 @@ std::string kernelToText(const KernelStudy& study) {
       texel.x, texel.y, back ? "back" : "front", study.record, r.position[0], r.position[1], r.position[2],
       r.normal[0], r.normal[1], r.normal[2], r.roughness, study.plan.isSplit() ? ", split lobes" : "");
   const vec3 d = study.viewDirection;
-  text += view ? fmt::format("view {} ({:.3f}, {:.3f}, {:.3f})", *view, d.x, d.y, d.z) : "Lambert kernel";
+  text += view ? fmt::format("{} {} ({:.3f}, {:.3f}, {:.3f})", study.plan.hasCells() ? "cell" : "view", *view,
+                             d.x, d.y, d.z)
+               : "Lambert kernel";
   text += fmt::format(": {} paths, {} deposits, energy {:.4f} {:.4f} {:.4f}", study.traced,
                       study.deposits.size(), energy.r, energy.g, energy.b);
   if (study.hiddenPart) text += fmt::format(", hidden part {:.4f}", *study.hiddenPart);

@@ -25,6 +25,12 @@ uint32_t findRecord(const TexelMap& map, const std::vector<RecordPlan>& records,
   fail(ExitCode::usage, "--texel {},{}: its {} is never seen", x, y, sideName(query.back));
 }
 
+[[noreturn]] void failBelow(const KernelQuery& query) {
+  fail(ExitCode::usage, "--view {} lies below the horizon of texel {},{}", *query.view, query.texel.x,
+       query.texel.y);
+}
+
+/// `sphere`: of the directions that the texel's glossy kernels are for.
 void requireKernel(const KernelStudy& study, const ViewSphere& sphere) {
   const auto& [texel, back, view] = study.query;
   if (!view) {
@@ -35,13 +41,13 @@ void requireKernel(const KernelStudy& study, const ViewSphere& sphere) {
     return;
   }
   if (*view >= sphere.viewCount())
-    fail(ExitCode::usage, "--view {}: there are {} views", *view, sphere.viewCount());
+    fail(ExitCode::usage, "--view {}: there are {} {}", *view, sphere.viewCount(),
+         study.plan.hasCells() ? "direction cells" : "views");
   if (!study.plan.glossy)
     fail(ExitCode::usage, "--texel {},{} has no glossy kernels: leave out --view for its Lambert kernel",
          texel.x, texel.y);
   const auto& n = study.plan.record.normal;
-  if (!viewsOfHemisphere(sphere, {n[0], n[1], n[2]})[*view])
-    fail(ExitCode::usage, "--view {} lies below the horizon of texel {},{}", *view, texel.x, texel.y);
+  if (!study.plan.hasCells() && !viewsOfHemisphere(sphere, {n[0], n[1], n[2]})[*view]) failBelow(study.query);
 }
 
 void keepSlots(const RecordKernel& kernel, KernelStudy& study) {
@@ -61,19 +67,24 @@ KernelStudy studyKernel(const Intersector& world, const TexelMap& map, const std
   study.query = query;
   study.record = findRecord(map, records, query);
   study.plan = records[study.record];
-  requireKernel(study, sphere);
+  const ViewSphere directions = study.plan.hasCells() ? ViewSphere(options.cellFrequency) : sphere;
+  requireKernel(study, directions);
   TexelBaker baker(world, map, sphere, options);
   const RecordKernels kernels = baker.bake(study.plan, glossySlotsOf(records, study.record, options));
   const auto& n = study.plan.record.normal;
   if (query.view) {
-    study.viewDirection = raiseAboveHorizon(sphere.directions()[*query.view], {n[0], n[1], n[2]});
+    const vec3 direction = directions.directions()[*query.view];
+    study.viewDirection =
+        study.plan.hasCells() ? direction : raiseAboveHorizon(direction, {n[0], n[1], n[2]});
     if (study.plan.isSplit()) study.hiddenPart = 0.0f;
-    if (!kernels.glossy.empty()) keepSlots(kernels.glossy[*query.view], study);
+    const auto& glossy = study.plan.hasCells() ? kernels.cells : kernels.glossy;
+    if (!glossy.empty()) keepSlots(glossy[*query.view], study);
   } else {
     keepSlots(kernels.lambert, study);
   }
   study.visibility = kernels.visibility;
   const KernelPaths& paths = baker.retrace(study.plan, query.view);
+  if (study.plan.hasCells() && query.view && paths.traced == 0) failBelow(query);
   study.deposits = paths.deposits;
   study.traced = paths.traced;
   return study;

@@ -12,7 +12,7 @@ namespace boxlight {
 struct KernelQuery {
   uvec2 texel{0};
   bool back = false;
-  std::optional<uint32_t> view;  ///< none: the Lambert kernel
+  std::optional<uint32_t> view;  ///< or direction cell, if the texel has those; none: the Lambert kernel
 };
 
 /// One kernel beside what it was fitted to.
@@ -20,7 +20,7 @@ struct KernelStudy {
   KernelQuery query;
   uint32_t record = 0;  ///< index among the records
   RecordPlan plan;
-  vec3 viewDirection{0.0f};  ///< as baked: raised above the horizon; 0 for a Lambert kernel
+  vec3 viewDirection{0.0f};  ///< as baked: a view's is raised above the horizon; 0 for a Lambert kernel
   /// Of a split record, without what its pixels reflect straight from the light.
   std::vector<Deposit> deposits;
   uint32_t traced = 0;     ///< paths; a deposit is its throughput over this

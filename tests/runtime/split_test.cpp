@@ -135,11 +135,9 @@ class SplitTest : public GpuTest {
           ~(uint64_t(1) << record % asset::kTileRecords);
   }
 
-  /// Of direction cells: each direction of each record sends another colour.
-  Rgb colour(const asset::Asset& asset, uint32_t stream, uint32_t record, Rgb radiance) const {
-    if (stream < asset.firstCellStream() || one_) return radiance;
-    const vec3 d = ViewSphere(square_.directionCells).directions()[stream - asset.firstCellStream()];
-    return radiance * (1.5f + d) * float(1 + record % 3);
+  /// Each direction cell of each record sends another colour.
+  Rgb colour(vec3 direction, uint32_t record, Rgb radiance) const {
+    return one_ ? radiance : radiance * (1.5f + direction) * float(1 + record % 3);
   }
 
   /// No light but from split lobes: kernels of a hidden part alone, or none where it is 0.
@@ -154,9 +152,13 @@ class SplitTest : public GpuTest {
         asset.visibilityMaps.push_back(square_.visibility(r));
       else
         makeWhole(asset, r);
+    const ViewSphere cells(std::max(square_.directionCells, 1u));
     return writeSynthetic(file("split.ptb"), asset, [&](uint32_t stream, uint32_t record, uint32_t slot) {
       if (stream == asset.diffuseStream() || !isSplit(record)) return packBox({0, 0, 1, 1, Rgb(0.0f)});
-      const Rgb radiance = colour(asset, stream, record, hiddenRadiance);
+      const Rgb radiance =
+          stream < asset.firstCellStream()
+              ? hiddenRadiance
+              : colour(cells.directions()[stream - asset.firstCellStream()], record, hiddenRadiance);
       return slot == 0 ? packHiddenPart(hiddenPart) : packBox({0, 0, 1, 1, hiddenPart * radiance});
     });
   }

@@ -98,6 +98,52 @@ TEST(Paths, AnInfiniteWhiteWallBouncesWhatItBlocks) {
   EXPECT_NEAR(meanThroughput(all).x, 1, 1e-2);
 }
 
+TEST(Paths, DirectionCellsSeeWhatTheirDirectionsMeet) {
+  OneTexel texel(test::metal(0.2f));
+  texel.scene.materials.push_back(test::lambert());
+  test::addQuad(texel.scene, {-1, 0, 4000}, {0, 0, -8000}, {0, 4000, 0}, vec2(2), vec2(3), 1);  // a wall
+  texel.map = makeTexels(texel.scene, 1, 1);
+  texel.map.texels[0].pieceCount = 2;  // the quad's own pieces
+  const Intersector world(texel.scene);
+  const auto trace = [&](vec3 towards) {
+    KernelPaths paths;
+    const DirectionCell cell{glm::normalize(towards), 0.99f, 0.02f};
+    PathTracer(world, {}).traceIncident(texel.origin(), cell, {1, 0, 0}, 8192, paths);
+    return paths;
+  };
+  const KernelPaths wall = trace({-1, 0.7f, 0}), open = trace({1, 0.7f, 0}), both = trace({0, 1, 0}),
+                    edge = trace({1, 0, 0});
+  EXPECT_EQ(wall.traced, 8192u);
+  EXPECT_GT(wall.hiddenPart(), 0.998f);
+  EXPECT_NEAR(meanThroughput(wall).x, 1, 1e-2);
+  EXPECT_LT(open.hiddenPart(), 2e-3f);  // the lobe's tail
+  EXPECT_LT(open.deposits.size(), 16u);
+  EXPECT_NEAR(both.hiddenPart(), 0.5f, 1e-2f);
+  EXPECT_NEAR(meanThroughput(both).x, 0.5f, 1e-2f);
+  EXPECT_NEAR(edge.traced, 4096, 200);  // those below the horizon are no part of the cell
+  EXPECT_LT(edge.hiddenPart(), 2e-3f);
+}
+
+TEST(Paths, DirectionCellsAreCapsSpreadByTheLobe) {
+  OneTexel texel(test::metal(0.2f));
+  test::addQuad(texel.scene, {-50, 8, -50}, {100, 0, 0}, {0, 0, 100}, vec2(2), vec2(3));  // a black lid
+  texel.scene.materials.push_back(test::lambert(Rgb(0)));
+  for (size_t t = 2; t < texel.scene.triangles.size(); ++t) texel.scene.triangles[t].material = 1;
+  const Intersector world(texel.scene);
+  // Of a cap of 60 degrees, the lid leaves out what is more than 80.9 degrees from the axis: nothing. The
+  // lobe turns directions by twice the angle of its half vectors, tan^2 = alpha^2 u / (1 - u).
+  for (const float alpha : {1e-4f, 0.5f, 1.0f}) {
+    KernelPaths paths;
+    PathTracer(world, {}).traceIncident(texel.origin(), {{0, 1, 0}, 1.0f, alpha}, {1, 0, 0}, 16384, paths);
+    // Up to half vectors of 45 degrees from the axis reflect above the horizon: u = 1 / (1 + alpha^2).
+    const double above = 1 / (1 + double(alpha) * double(alpha));
+    EXPECT_NEAR(paths.traced / 16384.0, above, 1e-2) << alpha;
+  }
+  KernelPaths cap;
+  PathTracer(world, {}).traceIncident(texel.origin(), {{0, 1, 0}, -1.0f, 1e-4f}, {1, 0, 0}, 16384, cap);
+  EXPECT_NEAR(cap.traced / 16384.0, 0.5, 1e-2);  // a cap that is the whole sphere
+}
+
 TEST(Paths, TheLimitOfThroughputsSaysWhatItTakes) {
   OneTexel texel(test::lambert());
   const PathOrigin origin = texel.origin();
