@@ -87,8 +87,7 @@ RecordPlan planSide(const TexelMap& map, uint32_t index, const TexelMeans& means
 }
 
 bool fillsCells(const RecordPlan& plan, const TexelMeans& means) {
-  return plan.glossyLobes == 1 && plan.unmirrored == 0 && means.round &&
-         ggx::alphaOf(means.roughness) <= kMaxCellAlpha;
+  return plan.glossyLobes == 1 && means.round && ggx::alphaOf(means.roughness) <= kMaxCellAlpha;
 }
 
 /// The records of one texel: one or two.
