@@ -67,8 +67,8 @@ SHARED_CONSTANT kBindShown = 0;    // linear RGBA, premultiplied, vec4[shownSize
 SHARED_CONSTANT kBindTruth = 1;    // the same of the truth, vec4[truthSize]
 SHARED_CONSTANT kBindDisplay = 2;  // sRGB as RGBA8, uint[size]
 
-// Specialisation constants of every shader that looks at surfaces or kernels: what an asset does not have is not
-// compiled in.
+// Specialisation constants of every shader that looks at surfaces or kernels: what an asset does not have is
+// not compiled in.
 SHARED_CONSTANT kConstantGlossy = 0;         // any glossy kernel
 SHARED_CONSTANT kConstantBackground = 1;     // the environment behind the object
 SHARED_CONSTANT kConstantTextured = 2;       // any texture
@@ -87,7 +87,7 @@ SHARED_CONSTANT kConstantExactSums = 14;     // of the light's table: 64-bit pre
 SHARED_CONSTANT kConstantCells = 15;         // any asset::kDirectionCells
 SHARED_CONSTANT kConstantBoxPools = 16;      // that resident pages fill
 SHARED_CONSTANT kConstantEmitters = 17;      // has any resident kernel emitted radiance?
-SHARED_CONSTANT kConstantWeights = 18;       // between the views boxes have the mean weight, not the mean energy
+SHARED_CONSTANT kConstantWeights = 18;  // between the views boxes have the mean weight, not the mean energy
 SHARED_CONSTANT kSurfaceConstants = 19;
 SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
@@ -203,8 +203,9 @@ struct PageSlot {
   uint firstBox, pool;
 };
 
-// A triangle of the view sphere or the sphere of cells. With row k = cross of the two other corners, dot(direction, row k) is
-// proportional to the barycentric weight of corner k; neighbour k lies across the edge opposite to it.
+// A triangle of the view sphere or the sphere of cells. With row k = cross of the two other corners,
+// dot(direction, row k) is proportional to the barycentric weight of corner k; neighbour k lies across the
+// edge opposite to it.
 struct ViewTriangle {
   vec4 rows[3];
   uvec4 view;

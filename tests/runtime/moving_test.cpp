@@ -88,6 +88,34 @@ class MovingTest : public GpuTest {
             }};
   }
 
+  /// The same, and another table for pixels to integrate their lobes over.
+  std::vector<std::function<void()>> splitSteps() {
+    auto steps = someSteps();
+    steps.push_back([&] { settings_.satScheme = gpu::SatScheme::exact; });
+    steps.push_back([&] { settings_.boxLimit = 1; });
+    steps.push_back([&] { settings_.satScheme = gpu::SatScheme::compact; });
+    return steps;
+  }
+
+  /// A mirror whose texels see a row each; `cells`: Square::directionCells.
+  asset::AssetReader writeSplit(const char* name, uint32_t cells) {
+    Square square;
+    square.atlasEdge = 16;
+    square.glossyBoxes = 2;
+    square.material.metallic = 1;
+    square.directionCells = cells;
+    square.visibility = [](uint32_t record) {
+      VisibilityMap map{};
+      for (uint32_t x = 0; x < VisibilityMap::kColumns; ++x) map.setVisible(x, record % VisibilityMap::kRows);
+      return map;
+    };
+    const asset::Asset asset = square.makeAsset();
+    return writeSynthetic(file(name), asset, [&](uint32_t stream, uint32_t record, uint32_t slot) {
+      if (stream == asset.diffuseStream() || slot > 0) return packBox(anyBox(stream, record, slot));
+      return packHiddenPart(0.25f);
+    });
+  }
+
   gpu::FrameSettings settings_;
   Image light_ = axesEnvironment({64, 32});
 };
@@ -111,22 +139,17 @@ TEST_F(MovingTest, BlendedLayers) {
 }
 
 TEST_F(MovingTest, VisibilityMaps) {
-  Square square;
-  square.atlasEdge = 16;
-  square.glossyBoxes = 2;
-  square.material.metallic = 1;
-  square.visibility = [](uint32_t record) {
-    VisibilityMap map{};
-    for (uint32_t x = 0; x < VisibilityMap::kColumns; ++x) map.setVisible(x, record % VisibilityMap::kRows);
-    return map;
-  };
-  const asset::Asset asset = square.makeAsset();
-  const auto kernel = [&](uint32_t stream, uint32_t record, uint32_t slot) {
-    if (stream == asset.diffuseStream() || slot > 0) return packBox(anyBox(stream, record, slot));
-    return packHiddenPart(0.25f);
-  };
   settings_.camera.tanHalfFov = 0.2f;  // a part of the square at a time
-  follow(writeSynthetic(file("split.ptb"), asset, kernel), someSteps());
+  follow(writeSplit("split.ptb", 0), splitSteps());
+}
+
+/// What is seen later has no room in the first pool: pixels, which read kernels themselves, look for it in
+/// more.
+TEST_F(MovingTest, DirectionCells) {
+  settings_.camera.tanHalfFov = 0.2f;
+  const auto reader = writeSplit("cells.ptb", 3);
+  settings_.poolBytes = gpu::FrameRenderer(*device_, reader, light_, settings_).counts().pageBytes;
+  follow(reader, splitSteps());
 }
 
 /// Pools that hold one camera's pages, but not two cameras'.

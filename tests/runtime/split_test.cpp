@@ -10,97 +10,11 @@
 #include "common/light/relight.h"
 #include "shaders/shared.h"
 #include "tests/runtime/pixel_model.h"
+#include "tests/runtime/split_scene.h"
 #include "tests/runtime/synthetic.h"
 
 namespace boxlight {
 namespace {
-
-constexpr uint32_t kEdge = 8;  // texels each way
-
-VisibilityMap openMap() {
-  VisibilityMap map;
-  for (uint32_t y = 0; y < VisibilityMap::kRows; ++y)
-    for (uint32_t x = 0; x < VisibilityMap::kColumns; ++x) map.setVisible(x, y);
-  return map;
-}
-
-/// Hidden by round things, others for every record.
-VisibilityMap spottedMap(uint32_t record) {
-  VisibilityMap map;
-  const float turn = 0.2f * float(record % kEdge) + 0.1f * float(record / kEdge);
-  for (uint32_t y = 0; y < VisibilityMap::kRows; ++y)
-    for (uint32_t x = 0; x < VisibilityMap::kColumns; ++x) {
-      const vec3 d = uvToDirection((vec2(x, y) + 0.5f) / vec2(VisibilityMap::kColumns, VisibilityMap::kRows));
-      if (std::sin(5 * d.x + turn) + std::sin(4 * d.z + 3 * turn) + std::sin(3 * d.y) < 1.0f)
-        map.setVisible(x, y);
-    }
-  return map;
-}
-
-/// A soft sky, brighter to one side, and a sun.
-Image skyEnvironment() {
-  Image image = makeImage(256, 128, 3);
-  for (uint32_t y = 0; y < image.height; ++y)
-    for (uint32_t x = 0; x < image.width; ++x) {
-      const vec3 d = uvToDirection((vec2(x, y) + 0.5f) / vec2(image.width, image.height));
-      const float sun = glm::dot(d, glm::normalize(vec3(0.3f, 0.8f, -0.5f))) > 0.995f ? 50.0f : 0.0f;
-      const Rgb color = Rgb(1 + d.x, 1 + 0.5f * d.y, 1 - 0.5f * d.z) + sun;
-      std::copy_n(&color.x, 3, image.at(x, y));
-    }
-  return image;
-}
-
-struct Finish {
-  asset::Material material;
-  asset::MaterialExtension extension;
-  vec2 direction{1, 0};  // of the anisotropy in its texture
-};
-
-Finish metal(float roughness, float anisotropy = 0, float rotation = 0) {
-  Finish finish;
-  finish.material.roughness = roughness;
-  finish.material.baseColor[1] = 0.7f;
-  finish.material.baseColor[2] = 0.3f;
-  finish.extension.anisotropy = anisotropy;
-  finish.extension.anisotropyRotation = rotation;
-  return finish;
-}
-
-/// The direction of the anisotropy comes from a texture.
-Finish brushed() {
-  Finish finish = metal(0.25f, 0.7f, 0.5f);
-  finish.extension.anisotropyTexture = {0, 0, 0};
-  finish.direction = glm::normalize(vec2(0x40, 0xE0) / 127.5f - 1.0f);
-  return finish;
-}
-
-Finish varnish(float roughness) {
-  Finish finish = metal(roughness);
-  finish.material.metallic = 0;
-  return finish;
-}
-
-/// Two lobes of the pixel's own, one over the other.
-Finish coated(float roughness) {
-  Finish finish = metal(roughness);
-  finish.extension.clearcoat = 0.8f;
-  finish.extension.clearcoatRoughness = 0.3f;
-  return finish;
-}
-
-/// Beside the pixel's lobe there is one that kernels hold whole.
-Finish velvet() {
-  Finish finish = varnish(0.3f);
-  finish.extension.sheenColor[0] = finish.extension.sheenColor[1] = 0.5f;
-  finish.extension.sheenRoughness = 0.4f;
-  return finish;
-}
-
-Finish frosted() {
-  Finish finish = varnish(0.5f);
-  finish.extension.transmission = 0.7f;
-  return finish;
-}
 
 class SplitTest : public GpuTest {
  protected:
