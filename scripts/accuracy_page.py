@@ -3,7 +3,8 @@
 from pathlib import Path
 
 REFERENCE_PATHS = 1 << 17
-SPLITS = ["split", *(f"cells, {n} directions" for n in (92, 162, 362, 642))]
+CELLS = "cells, {} directions"
+SPLITS = ["split", *(CELLS.format(n) for n in (92, 162, 362, 642))]
 CLASSES = ["diffuse", "rough", "sharp"]
 TEXT = (Path(__file__).resolve().parent / "accuracy_page.md").read_text()
 
@@ -76,8 +77,8 @@ def by_scene(rows):
             ("at views", own.where(place="views", method="boxes", terms=8, paths=1024)),
             ("between, direct fit", own.where(place="between", method="direct fit")),
             ("between, sketch", own.where(place="between", method="sketch", terms=8)),
-            ("between, split", own.where(place="between", method=SPLITS[0])),
-            ("between, cells", own.where(place="between", method=SPLITS[3])),
+            ("between, split", own.where(place="between", method="split")),
+            ("between, cells", own.where(place="between", method=CELLS.format(362))),
         ):
             lines.append([scene, label, *found.cells(CLASSES)])
     return table(["scene", "8 boxes, 1024 paths", *CLASSES], lines)

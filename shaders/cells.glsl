@@ -5,8 +5,6 @@
 #include "kernel.glsl"
 #include "views.glsl"
 
-layout(std430, binding = kBindTiles) readonly buffer Tiles { uvec4 tiles[]; };  // first record, records, glossy, diffuse boxes
-
 /// What arrives at a record's texel from around a direction by way of other surfaces, and the part of the directions there that
 /// point at some.
 vec4 arrivingRadiance(GpuRecord record, ViewBlend blend) {

@@ -47,7 +47,7 @@ vec3 diffuseChange(uint r, vec3 normal) {
 void addSplit(uint r, float weight, inout FilteredRadiance sum) {
   sum.split += weight;
   if (weight <= 0.0) return;
-  if (kCells && (records[r].slot & kRecordHasCells) != 0) {
+  if (hasCells(records[r])) {
     sum.cells.record[sum.cells.count] = r;
     sum.cells.weight[sum.cells.count] = weight;
     ++sum.cells.count;

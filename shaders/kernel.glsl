@@ -7,6 +7,9 @@
 layout(constant_id = kConstantBoxPools) const uint kBoxPools = 1;
 layout(constant_id = kConstantEmitters) const bool kEmitters = true;
 
+layout(constant_id = kConstantCells) const bool kCells = true;
+
+layout(std430, binding = kBindTiles) readonly buffer Tiles { uvec4 tiles[]; };  // first record, records, glossy, diffuse boxes
 layout(std430, binding = kBindPageTable) readonly buffer PageTable { PageSlot pageTable[]; };
 layout(std430, binding = kBindBoxPools) readonly buffer Boxes0 { uvec4 boxes0[]; };
 layout(std430, binding = kBindBoxPools + 1) readonly buffer Boxes1 { uvec4 boxes1[]; };
@@ -45,7 +48,10 @@ bool emits(Kernel kernel) { return kEmitters && kernel.present && isEmission(loa
 
 vec3 emittedRadiance(Kernel kernel) { return kernel.present ? unpackEmission(loadPacked(kernel, 0)) : vec3(0.0); }
 
-/// Of a kernel of a split lobe: what its hidden directions send, and the part of the lobe that this stands for.
+bool hasCells(GpuRecord record) { return kCells && (record.slot & kRecordHasCells) != 0; }
+
+/// Of a kernel of a split lobe, which has a slot for its hidden part (common/asset: checkHiddenParts): what its hidden directions
+/// send, and the part of the lobe that this stands for.
 vec4 hiddenRadiance(Kernel kernel, uint slots) {
   uint first = emits(kernel) ? 1 : 0, end = kernel.present ? first + 1 + min(slots - first - 1, frame.boxLimit) : 0;
   vec3 radiance = first > 0 ? emittedRadiance(kernel) : vec3(0.0);

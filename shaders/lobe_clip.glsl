@@ -2,6 +2,7 @@
 #ifndef BOXLIGHT_LOBE_CLIP_GLSL
 #define BOXLIGHT_LOBE_CLIP_GLSL
 
+#include "kernel.glsl"
 #include "light_domain.glsl"
 #include "visibility_maps.glsl"
 
@@ -71,16 +72,14 @@ struct ClippedLobe {
   vec3 towards;  // sum of hidden energy times the mean direction of its box
 };
 
-layout(constant_id = kConstantCells) const bool kCells = true;
-
 const float kLeastQuartered = 8.0;  // lobe_clip.cpp
 
 bool isLarge(Rectangle whole) {
   return max(whole.du * float(kMapColumns), whole.latitudes.height * float(kMapRows)) >= kLeastQuartered;
 }
 
-/// Adds the visible pieces of a box: radiance, and what arrives from a light of 1.
-void addVisible(LobeBox box, FilteredMaps maps, inout vec3 radiance, inout vec3 direct) {
+/// Adds the visible pieces of a box: radiance, and what arrives from a light of 1. Is any of it hidden?
+bool addVisible(LobeBox box, FilteredMaps maps, inout vec3 radiance, inout vec3 direct) {
   Rectangle whole = box.rectangle;
   Mixture mixture = lookAt(whole, maps);
   bool quartered = mixture.anyHidden && isLarge(whole);
@@ -98,6 +97,7 @@ void addVisible(LobeBox box, FilteredMaps maps, inout vec3 radiance, inout vec3 
     radiance += energy * light / max(omega, 1e-30);
     direct += energy;
   }
+  return mixture.anyHidden;
 }
 
 /// lobe_clip.h: clipLobe of lobeBoxes, under the light. The boxes' energies are divided by their sum.
@@ -107,8 +107,8 @@ ClippedLobe clipLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {
     LobeBox box = lobeBox(lobe, j);
     all += box.energy;
     vec3 seen = direct;
-    addVisible(box, maps, radiance, direct);
-    if (kCells) {
+    bool hides = addVisible(box, maps, radiance, direct);
+    if (kCells && hides) {
       Rectangle r = box.rectangle;
       towards += max(strength(box.energy - (direct - seen)), 0.0) * meanDirection(r.u, r.du, r.latitudes);
     }

@@ -12,11 +12,9 @@ layout(constant_id = kConstantWeights) const bool kInterpolateWeight = false;
 layout(constant_id = kConstantGlossy) const bool kGlossy = true;
 layout(constant_id = kConstantNormalMapped) const bool kNormalMapped = true;
 layout(constant_id = kConstantSplit) const bool kSplit = true;
-layout(constant_id = kConstantCells) const bool kCells = true;
 
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord records[]; };
-layout(std430, binding = kBindTiles) readonly buffer Tiles { uvec4 tiles[]; };  // first record, records, glossy, diffuse boxes
 layout(std430, binding = kBindVisible) readonly buffer Visible {
   VisibleHeader header;
   uint visible[];
@@ -99,17 +97,17 @@ vec3 wholeRadiance(GlossyKernels kernels) {
   return sum;
 }
 
-/// Boxes of different views show different surfaces: each view is evaluated on its own. What has cells is for its pixels to find.
-vec4 splitRadiance(GpuRecord record, GlossyKernels kernels) {
+/// Boxes of different views show different surfaces: each view is evaluated on its own.
+vec4 hiddenOfViews(GlossyKernels kernels) {
   vec4 sum = vec4(0.0);
-  for (int k = kCells && (record.slot & kRecordHasCells) != 0 ? 3 : 0; k < 3; ++k)
-    sum += kernels.weight[k] * hiddenRadiance(kernels.of[k], kernels.slots);
+  for (int k = 0; k < 3; ++k) sum += kernels.weight[k] * hiddenRadiance(kernels.of[k], kernels.slots);
   return sum;
 }
 
 vec4 glossyRadiance(uint r, GpuRecord record) {
+  if (hasCells(record)) return vec4(0.0);  // for its pixels to find
   GlossyKernels kernels = findGlossy(record);
-  if (kSplit && isSplit(r)) return splitRadiance(record, kernels);
+  if (kSplit && isSplit(r)) return hiddenOfViews(kernels);
   return vec4(wholeRadiance(kernels), 0.0);
 }
 

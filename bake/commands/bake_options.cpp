@@ -55,7 +55,8 @@ const std::map<std::string, AtlasSource>& atlasSources() {
 }
 
 const std::map<std::string, asset::Scheme>& schemes() {
-  // The split is the most accurate at every roughness that was measured (docs/decisions/006-split-lobes.md).
+  // The split beats the sketch at every roughness that was measured (docs/decisions/006-split-lobes.md);
+  // cells are sharper where mirrors show surfaces, and take more bytes and time (008-direction-cells.md).
   static const std::map<std::string, asset::Scheme> table = {{"auto", asset::Scheme::split},
                                                              {"sketch", asset::Scheme::sketch},
                                                              {"split", asset::Scheme::split},
@@ -102,7 +103,7 @@ void addBakeOptions(CLI::App& command, BakeOptions& options) {
       ->capture_default_str();
   command.add_option("--cells", options.cells, "Of the scheme cells: directions that light comes from")
       ->check(CLI::IsMember({42, 92, 162, 252, 362, 642}))
-      ->option_text("N [362]");
+      ->option_text(fmt::format("N [{}]", kDefaultCells));
   command
       .add_option("--boxes", options.boxes,
                   "Boxes per glossy kernel; the Lambert kernel has four times as many, up to 64")

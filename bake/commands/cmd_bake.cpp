@@ -72,11 +72,11 @@ void bake(BakeOptions options, const CommonOptions& common) {
   const Intersector world(scene);
   const std::vector<RecordPlan> records = planRecords(world, map, schemes().at(options.scheme));
   const ViewSphere sphere(frequencyOf(options.views));
-  const KernelOptions kernels{options.paths,
-                              options.boxes,
-                              {options.transport.bounceLimit(), options.transport.energyLimit()},
-                              options.transport.seed,
-                              frequencyOf(options.cells.value_or(options.views))};
+  KernelOptions kernels{options.paths,
+                        options.boxes,
+                        {options.transport.bounceLimit(), options.transport.energyLimit()},
+                        options.transport.seed};
+  if (options.cells) kernels.cellFrequency = frequencyOf(*options.cells);
   if (!options.texel.empty()) {
     const KernelQuery query{{options.texel[0], options.texel[1]}, options.side == "back", options.view};
     return study(studyKernel(world, map, records, sphere, kernels, query), options, common);

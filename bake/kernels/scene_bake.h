@@ -16,7 +16,8 @@ struct BakedScene {
   double removed = 0;  ///< by PathLimits::throughput, as a part of the transport's luminance
 };
 
-/// What a bake is about to cost, for the user to see before it starts.
+/// About what a bake is going to cost, for the user to see before it starts; of kernels, how many there may
+/// be.
 struct BakeCost {
   uint64_t records = 0, kernels = 0, paths = 0;
   uint64_t pageBytes = 0, mapBytes = 0;  ///< of boxes and visibility maps, before compression

@@ -26,7 +26,8 @@ struct TexelMeans {
   Rgb f0{0.0f};
   float roughness = 0, metallic = 0;
   uint32_t material = 0, glossyLobes = 0, unmirrored = 0;
-  bool diffuse = false, transmits = false, mirrors = false, round = true, doubleSided = false, volume = false;
+  bool diffuse = false, transmits = false, mirrors = false, round = true, coated = false, doubleSided = false,
+       volume = false;
 };
 
 TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footprint) {
@@ -47,6 +48,7 @@ TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footp
     glossyLobes = std::max(glossyLobes, bsdf.viewDependentCount());
     unmirrored = std::max(unmirrored, bsdf.unmirroredCount());
     mirrors |= bsdf.has(kMirrored);
+    coated |= bsdf.has(kCoat);
     round &= bsdf.alpha().x == bsdf.alpha().y;
     diffuse |= bsdf.has(kDiffuse);
     transmits |= bsdf.has(kDiffuseTransmit);
@@ -87,7 +89,8 @@ RecordPlan planSide(const TexelMap& map, uint32_t index, const TexelMeans& means
 }
 
 bool fillsCells(const RecordPlan& plan, const TexelMeans& means) {
-  return plan.glossyLobes == 1 && means.round && ggx::alphaOf(means.roughness) <= kMaxCellAlpha;
+  return plan.glossyLobes == 1 && plan.unmirrored == 0 && means.round && !means.coated &&
+         ggx::alphaOf(means.roughness) <= kMaxCellAlpha;
 }
 
 /// The records of one texel: one or two.

@@ -57,9 +57,7 @@ ClippedLobe clipLobe(std::span<const Box> lobe, const FilteredVisibility& visibi
     result.pieces.push_back({rectangle, energy});
     direct += double(luminance(Rgb(energy)));
   };
-  const auto clip = [&](const Box& box) {
-    const Rectangle whole = rectangleOf(box);
-    const Visible seen = filter(whole, visibility);
+  const auto clip = [&](const Box& box, const Rectangle& whole, const Visible& seen) {
     if (seen.part >= kWhole || !isLarge(whole))
       return keep(seen.around, dvec3(box.energy) * std::min(seen.part, 1.0));
     for (int i = 0; i < 4; ++i) {
@@ -70,9 +68,11 @@ ClippedLobe clipLobe(std::span<const Box> lobe, const FilteredVisibility& visibi
   };
   for (const Box& box : lobe) {
     const double before = direct, energy = double(luminance(box.energy));
-    clip(box);
+    const Rectangle whole = rectangleOf(box);
+    const Visible seen = filter(whole, visibility);
+    clip(box, whole, seen);
     all += energy;
-    result.towards += std::max(energy - (direct - before), 0.0) * directionOf(box);
+    if (seen.part < kWhole) result.towards += std::max(energy - (direct - before), 0.0) * directionOf(box);
   }
   result.hidden = std::max(all - direct, 0.0);
   return result;

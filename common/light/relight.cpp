@@ -110,12 +110,12 @@ TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& li
     const Box box = unpackBox(lambert[j]);
     radiance.diffuse += light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
   }
+  if (asset_.hasCells(record)) return radiance;
   const asset::TexelRecord& texel = asset_.records[record];
   const vec3 normal = toVec3(texel.normal), towards = eye - toVec3(texel.position);
   const float distance = glm::length(towards);
   const vec3 view = distance > 0.0f ? towards / distance : normal;
   const vec3 raised = raiseAboveHorizon(view, normal);
-  if (asset_.hasCells(record)) return radiance;
   if (asset_.isSplit(record))
     addHidden(record, views_.locate(raised), 0, lights, uOffset, maxBoxes, radiance);
   else

@@ -140,10 +140,10 @@ void ResidentPages::requireFit(const std::vector<uint64_t>& used) const {
   if (used.size() <= kMaxBoxPools) return;
   fail(ExitCode::runtime,
        "{}: this view needs {:.1f} MiB of boxes, but {} storage buffers of {:.1f} MiB are all that '{}' "
-       "binds; bake with fewer "
-       "boxes or a smaller atlas, or choose another device",
+       "binds; bake with fewer boxes{} or a smaller atlas, or choose another device",
        reader_.path().string(), mebibytes(sum(used) * sizeof(PackedBox)), kMaxBoxPools,
-       mebibytes(poolCapacity_ * sizeof(PackedBox)), device_.info().name);
+       mebibytes(poolCapacity_ * sizeof(PackedBox)), device_.info().name,
+       reader_.asset().cellCount() > 0 ? ", fewer direction cells" : "");
 }
 
 void ResidentPages::noteEmission(Page page, const PackedBox& first) {

@@ -42,6 +42,17 @@ class SplitTest : public GpuTest {
 
   bool isSplit(uint32_t record) const { return !half_ || record % 2 == 1; }
 
+  /// What is left is a split record with a kernel for every view.
+  static void takeCells(asset::Asset& asset, uint32_t record) {
+    asset.records[record].flags &= ~uint32_t(asset::kDirectionCells);
+    for (uint32_t s = 0; s < asset.streamCount(); ++s) {
+      const uint64_t bit = uint64_t(1) << record % asset::kTileRecords;
+      uint64_t& mask = asset.streamMasks[s * asset.tiles.size() + record / asset::kTileRecords];
+      if (s < asset.diffuseStream()) mask |= bit;
+      if (s >= asset.firstCellStream()) mask &= ~bit;
+    }
+  }
+
   static void makeWhole(asset::Asset& asset, uint32_t record) {
     asset.records[record].flags &= ~uint32_t(asset::kSplitLobe | asset::kDirectionCells);
     for (uint32_t s = asset.firstCellStream(); s < asset.streamCount(); ++s)
@@ -62,9 +73,10 @@ class SplitTest : public GpuTest {
         for (size_t t = 0; t < asset.tiles.size(); ++t) asset.streamMasks[s * asset.tiles.size() + t] = 0;
     asset.visibilityMaps.clear();
     for (uint32_t r = 0; r < asset.records.size(); ++r)
-      if (isSplit(r))
+      if (isSplit(r)) {
         asset.visibilityMaps.push_back(square_.visibility(r));
-      else
+        if (mixed_ && r % 2 == 1) takeCells(asset, r);
+      } else
         makeWhole(asset, r);
     const ViewSphere cells(std::max(square_.directionCells, 1u));
     return writeSynthetic(file("split.ptb"), asset, [&](uint32_t stream, uint32_t record, uint32_t slot) {
@@ -73,7 +85,9 @@ class SplitTest : public GpuTest {
           stream < asset.firstCellStream()
               ? hiddenRadiance
               : colour(cells.directions()[stream - asset.firstCellStream()], record, hiddenRadiance);
-      return slot == 0 ? packHiddenPart(hiddenPart) : packBox({0, 0, 1, 1, hiddenPart * radiance});
+      if (maxComponent(emitted_) > 0 && slot == 0) return packEmission(emitted_);
+      return slot == square_.glossyBoxes - 2 ? packHiddenPart(hiddenPart)
+                                             : packBox({0, 0, 1, 1, hiddenPart * radiance});
     });
   }
 
@@ -133,8 +147,9 @@ class SplitTest : public GpuTest {
     return filtered;
   }
 
-  /// What kernels send and the part that it stands for, where the hidden parts of a pixel's lobes point.
-  using Stored = std::function<TexelRadiance(const FilteredVisibility& around, vec3 direction)>;
+  /// What kernels send and the part that it stands for, where the hidden parts of a pixel's lobes point if
+  /// they have any.
+  using Stored = std::function<TexelRadiance(const FilteredVisibility& around, vec3 direction, bool hides)>;
 
   /// Of all lobes, those of the pixel's own behind the maps.
   dvec3 gloss(const Finish& finish, vec3 view, const FilteredVisibility& around, const SummedArea& lights,
@@ -155,8 +170,14 @@ class SplitTest : public GpuTest {
     add(lobeOf(finish, view), f.base);
     if (finish.extension.clearcoat > 0) add(coatOf(finish, view), f.coat);
     const double part = hidden / double(luminance(Rgb(total)));
-    const TexelRadiance sent = stored(around, all.hiddenDirection());
+    const TexelRadiance sent = stored(around, all.hiddenDirection(), glm::length(all.towards) > 0);
     return total * splitRadiance(direct / total, part, sent.glossy, sent.hidden);
+  }
+
+  /// By a kernel of a view.
+  static TexelRadiance sent(float hiddenPart, Rgb radiance, const SummedArea& lights) {
+    return {.glossy = double(hiddenPart) * dvec3(radiance) * lights.integrate({0, 0, 1, 1}) / (4 * kPiDouble),
+            .hidden = double(hiddenPart)};
   }
 
   /// Root of the mean square of the relative difference between the picture and lobe_clip.h.
@@ -169,19 +190,20 @@ class SplitTest : public GpuTest {
     gpu::FrameRenderer renderer(*device_, reader, environment, settings_);
     const SummedArea lights(makeLightMap(environment, settings_.lightSize));
     Relighter relighter(reader);
-    const Stored stored = [&](const FilteredVisibility& around, vec3 direction) {
-      TexelRadiance sent{.glossy = double(hiddenPart) * dvec3(hiddenRadiance) *
-                                   lights.integrate({0, 0, 1, 1}) / (4 * kPiDouble),
-                         .hidden = double(hiddenPart)};
-      if (square_.directionCells == 0) return sent;
-      sent = {};
+    const Stored stored = [&](const FilteredVisibility& around, vec3 direction, bool hides) {
+      if (square_.directionCells == 0) return sent(hiddenPart, hiddenRadiance, lights);
+      TexelRadiance mean;
       for (size_t k = 0; k < around.map.size(); ++k) {
         if (!around.map[k]) continue;
-        const auto one = relighter.arriving(uint32_t(around.map[k] - maps.data()), direction, lights);
-        sent.glossy += double(around.weight[k]) * one.glossy;
-        sent.hidden += double(around.weight[k]) * one.hidden;
+        const auto record = uint32_t(around.map[k] - maps.data());
+        const bool ofViews = mixed_ && record % 2 == 1;
+        const auto one = ofViews ? sent(hiddenPart, hiddenRadiance, lights)
+                                 : relighter.arriving(record, direction, lights);
+        if (!ofViews && !hides) continue;
+        mean.glossy += double(around.weight[k]) * one.glossy;
+        mean.hidden += double(around.weight[k]) * one.hidden;
       }
-      return sent;
+      return mean;
     };
     double sum = 0;
     int count = 0;
@@ -220,8 +242,10 @@ class SplitTest : public GpuTest {
 
   gpu::FrameSettings settings_;
   Square square_;
-  bool half_ = false;  // are records of every second column whole, and dark?
-  bool one_ = false;   // do all direction cells send the same?
+  bool half_ = false;   // are records of every second column whole, and dark?
+  bool mixed_ = false;  // have records of every second column kernels of views instead of direction cells?
+  Rgb emitted_{0.0f};   // radiance that every hidden kernel has before its hidden part
+  bool one_ = false;    // do all direction cells send the same?
 };
 
 TEST_F(SplitTest, InTheOpenAPixelIsItsLobeUnderTheLight) {
@@ -286,6 +310,21 @@ TEST_F(SplitTest, DirectionCellsThatSendOneLightAreAViewsKernel) {
   std::fill_n(finish.material.baseColor, 3, 0.8f);
   one_ = true;
   expectConstant(finish, 0.25f);
+}
+
+TEST_F(SplitTest, DirectionCellsSendWhatEmittersSend) {
+  square_.visibility = spottedMap;
+  square_.directionCells = 3;
+  square_.glossyBoxes = 3;
+  emitted_ = Rgb(0.5f, 2.0f, 0.1f);
+  EXPECT_LT(compare(metal(0.3f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
+}
+
+TEST_F(SplitTest, BesideKernelsOfViewsDirectionCellsHaveTheirPart) {
+  square_.visibility = spottedMap;
+  square_.directionCells = 3;
+  mixed_ = true;
+  EXPECT_LT(compare(metal(0.3f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
 }
 
 TEST_F(SplitTest, BesideWholeLobesDirectionCellsHaveTheirPart) {
