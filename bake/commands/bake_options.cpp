@@ -101,7 +101,9 @@ void addBakeOptions(CLI::App& command, BakeOptions& options) {
   command.add_option("--views", options.views, "View directions")
       ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))
       ->capture_default_str();
-  command.add_option("--cells", options.cells, "Of the scheme cells: directions that light comes from")
+  command
+      .add_option("--cells", options.cells,
+                  "Of the scheme cells: directions that light comes from: 42, 92, 162, 252, 362 or 642")
       ->check(CLI::IsMember({42, 92, 162, 252, 362, 642}))
       ->option_text(fmt::format("N [{}]", kDefaultCells));
   command

@@ -141,8 +141,7 @@ BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::v
   result.tiles = makeTiles(records, options);
   result.scheme = schemeOf(records);
   if (result.scheme == asset::Scheme::cells) {
-    const uint32_t f = options.cellFrequency;
-    result.cellSphere = {{f, 10 * f * f + 2}};
+    result.cellSphere = {{options.cellFrequency, ViewSphere(options.cellFrequency).viewCount()}};
   }
   result.streamMasks.assign(result.streamCount() * result.tiles.size(), 0);
   baked.pages.resize(result.streamMasks.size());

@@ -48,16 +48,20 @@ inline std::function<void(Surgeon&)> inFlags(size_t record, std::function<void(u
   return in<TexelRecord>(chunk::kRecords, record, [=](TexelRecord& r) { change(r.flags); });
 }
 
+/// What validation finds in a sample after an edit; the edited file stays as long as `file`.
+inline Validation validationAfter(const SampleSize& size, const std::function<void(Surgeon&)>& operate,
+                                  const TemporaryFile& file = {}) {
+  makeSample(size).write(file.path);
+  Surgeon surgeon(readFile(file.path));
+  operate(surgeon);
+  surgeon.write(file.path);
+  return validateAsset(file.path);
+}
+
 /// For findings that end the reading.
 class Hostile : public ::testing::TestWithParam<Case> {
  protected:
-  Hostile() {
-    makeSample(GetParam().size).write(file.path);
-    Surgeon surgeon(readFile(file.path));
-    GetParam().operate(surgeon);
-    surgeon.write(file.path);
-    validation = validateAsset(file.path);
-  }
+  Hostile() : validation(validationAfter(GetParam().size, GetParam().operate, file)) {}
   std::string found() const {
     std::string list;
     for (const Finding& finding : validation.findings)

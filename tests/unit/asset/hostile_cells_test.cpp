@@ -101,12 +101,7 @@ INSTANTIATE_TEST_SUITE_P(CellFlags, Hostile, ::testing::ValuesIn(kFlagCases), kC
 INSTANTIATE_TEST_SUITE_P(CellKernels, Hostile, ::testing::ValuesIn(kKernelCases), kCaseName);
 
 Validation afterwards(const std::function<void(Surgeon&)>& operate) {
-  const TemporaryFile file;
-  makeSample(kCells).write(file.path);
-  Surgeon surgeon(readFile(file.path));
-  operate(surgeon);
-  surgeon.write(file.path);
-  return validateAsset(file.path);
+  return validationAfter(kCells, operate);
 }
 
 TEST(Cells, NothingIsSaidOfStreamsIfTheSphereIsUnreadable) {

@@ -77,14 +77,7 @@ const std::vector<Case> kHarmless = {
 INSTANTIATE_TEST_SUITE_P(Extension, Hostile, ::testing::ValuesIn(kCases), kCaseName);
 INSTANTIATE_TEST_SUITE_P(Extension, Harmless, ::testing::ValuesIn(kHarmless), kCaseName);
 
-Validation afterwards(const std::function<void(Surgeon&)>& operate) {
-  const TemporaryFile file;
-  makeSample().write(file.path);
-  Surgeon surgeon(readFile(file.path));
-  operate(surgeon);
-  surgeon.write(file.path);
-  return validateAsset(file.path);
-}
+Validation afterwards(const std::function<void(Surgeon&)>& operate) { return validationAfter({}, operate); }
 
 TEST(Extensions, EmittedRadianceIsNoEnergyOfAKernel) {
   EXPECT_TRUE(afterwards(inBox(kLambertPage, 0, [](auto& b) { b.energy[0] = 0x7BFF; })).count.empty());

@@ -86,12 +86,7 @@ INSTANTIATE_TEST_SUITE_P(Hidden, Hostile, ::testing::ValuesIn(kHiddenCases), kCa
 INSTANTIATE_TEST_SUITE_P(Split, Harmless, ::testing::ValuesIn(kHarmless), kCaseName);
 
 Validation afterwards(const std::function<void(Surgeon&)>& operate) {
-  const TemporaryFile file;
-  makeSample(kSplit).write(file.path);
-  Surgeon surgeon(readFile(file.path));
-  operate(surgeon);
-  surgeon.write(file.path);
-  return validateAsset(file.path);
+  return validationAfter(kSplit, operate);
 }
 
 TEST(Split, AHiddenPartIsNoEnergyOfAKernel) { EXPECT_TRUE(afterwards(inHidden(0, 0x7BFF)).count.empty()); }
