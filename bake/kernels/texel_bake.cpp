@@ -31,7 +31,7 @@ TexelBaker::TexelBaker(const Intersector& world, const TexelMap& map, const View
       cells_(options.cellFrequency),
       options_(options),
       tracer_(world, options.limits),
-      lambertFitter_(FitOptions{.boxes = int(options.lambertBoxes()), .gridSize = 64}),
+      lambertFitter_(lambertFit(options.lambertBoxes())),
       glossyFitter_(FitOptions{.boxes = int(KernelOptions::kMaxFittedBoxes)}) {
   key_.seed = options.seed;
 }

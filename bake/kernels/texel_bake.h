@@ -40,6 +40,12 @@ struct KernelOptions {
   static constexpr uint32_t kMaxFittedBoxes = 64;
 };
 
+/// How a Lambert kernel is fitted. Boxes that are worth less than the noise of independent paths are what its
+/// horizon is made of.
+inline FitOptions lambertFit(uint32_t boxes) {
+  return {.boxes = int(boxes), .gridSize = 64, .stratified = true};
+}
+
 struct RecordKernel {
   /// As many slots as was asked for, emitted radiance not among them; empty if the record has no such kernel.
   std::vector<PackedBox> slots;

@@ -81,7 +81,7 @@ bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfaceP
   return false;
 }
 
-void PathTracer::deposit(const PathState& path, Rgb mirrored, KernelPaths& paths) const {
+void PathTracer::deposit(const PathState& path, Rgb mirrored, bool straight, KernelPaths& paths) const {
   Rgb throughput = path.throughput;
   const float largest = maxComponent(throughput);
   if (largest > limits_.throughput) {
@@ -90,7 +90,7 @@ void PathTracer::deposit(const PathState& path, Rgb mirrored, KernelPaths& paths
     throughput = kept;
     mirrored *= limits_.throughput / largest;
   }
-  paths.deposits.push_back({directionToUv(path.direction), throughput, mirrored});
+  paths.deposits.push_back({directionToUv(path.direction), throughput, mirrored, straight});
 }
 
 void PathTracer::leave(const SurfaceView& first, PathState path, Rgb mirrored, Sampler& sampler,
@@ -106,7 +106,7 @@ void PathTracer::leave(const SurfaceView& first, PathState path, Rgb mirrored, S
     const bool direct = bounce == 0 && !next.point && path.direction == start;
     if (bounce == 0) paths.hidden += direct ? lobe - own : lobe;
     if (!(maxComponent(path.throughput) > 0.0f)) return;
-    if (!next.point) return deposit(path, direct ? mirrored : Rgb(0.0f), paths);
+    if (!next.point) return deposit(path, direct ? mirrored : Rgb(0.0f), direct, paths);
     surface = viewSurface(scene, *next.point, -path.direction, path.media);
     const Bsdf bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
                     surface.coatNormal);

@@ -87,7 +87,7 @@ class PathTracer {
   bool startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const;
   void leave(const SurfaceView& surface, PathState path, Rgb mirrored, Sampler& sampler,
              KernelPaths& paths) const;
-  void deposit(const PathState& path, Rgb mirrored, KernelPaths& paths) const;
+  void deposit(const PathState& path, Rgb mirrored, bool straight, KernelPaths& paths) const;
   bool escapes(Ray ray, Sampler& sampler) const;
 
   const Intersector& world_;

@@ -2,6 +2,7 @@
 #include "runtime/app/frame.h"
 
 #include <cassert>
+#include <chrono>
 #include <optional>
 
 #include "common/base/log.h"
@@ -181,8 +182,11 @@ void FrameRenderer::Parts::compileShade() {
 
 void FrameRenderer::Parts::makeResident() {
   const std::vector<VisibleRecord> visible = visibility.readList(device);
+  const auto start = std::chrono::steady_clock::now();
   pages.require(visible, settings.camera.eye);
   if (maps) maps->require(visible);
+  counts.pageMilliseconds =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   counts.visibleRecords = visible.size();
   counts.boxes = pages.countBoxes(visible, settings.boxLimit);
   counts.pages = pages.pageCount();

@@ -96,10 +96,10 @@ void drawFacts(const GuiState& state) {
   const FrameCounts& counts = state.viewer.counts();
   ImGui::Text("%s", state.device.c_str());
   ImGui::Text("shown: %ux%u", state.viewer.shownSize().x, state.viewer.shownSize().y);
-  ImGui::Text("%llu texels, %llu boxes, %llu pages, %.1f MiB",
+  ImGui::Text("%llu texels, %llu boxes, %llu pages, %.1f MiB,\n%.1f ms waited for pages",
               static_cast<unsigned long long>(counts.visibleRecords),
               static_cast<unsigned long long>(counts.boxes), static_cast<unsigned long long>(counts.pages),
-              double(counts.pageBytes) / (1 << 20));
+              double(counts.pageBytes) / (1 << 20), counts.pageMilliseconds);
 }
 
 void drawHelp(bool& open) {

@@ -45,6 +45,7 @@ nlohmann::ordered_json describeFrame(const DeviceInfo& device, const FrameSettin
   stats["boxes_evaluated"] = counts.boxes;
   stats["pages"] = counts.pages;
   stats["page_bytes"] = counts.pageBytes;
+  stats["page_wait_ms"] = counts.pageMilliseconds;
   stats["scene_bytes"] = counts.sceneBytes;
   if (counts.layers > 0) {
     stats["layers"] = counts.layers;

@@ -36,7 +36,23 @@ asset::TexelRecord record(uint32_t x, uint32_t y, uint32_t edge, bool back) {
   return r;
 }
 
-void addTiles(asset::Asset& asset, uint32_t glossyBoxes, uint32_t diffuseBoxes) {
+void addCells(asset::Asset& asset, uint32_t edge) {
+  for (uint32_t cell = 0; cell < edge * edge; ++cell) {
+    const float size = 2.0f / float(edge), x = -1 + size * float(cell % edge),
+                z = -1 + size * float(cell / edge);
+    const auto first = uint32_t(asset.vertices.size());
+    for (const auto& vertex :
+         {corner(x, z), corner(x + size, z), corner(x + size, z + size), corner(x, z + size)})
+      asset.vertices.push_back(vertex);
+    asset.triangles.push_back({{first, first + 2, first + 1}, cell});
+    asset.triangles.push_back({{first, first + 3, first + 2}, cell});
+  }
+}
+
+}  // namespace
+
+void tileRecords(asset::Asset& asset, uint32_t glossyBoxes, uint32_t diffuseBoxes) {
+  asset.tiles.clear();
   for (uint32_t first = 0; first < asset.records.size(); first += asset::kTileRecords)
     asset.tiles.push_back({first, std::min(asset::kTileRecords, uint32_t(asset.records.size()) - first),
                            glossyBoxes, diffuseBoxes});
@@ -54,21 +70,6 @@ void addTiles(asset::Asset& asset, uint32_t glossyBoxes, uint32_t diffuseBoxes) 
           asset.streamMasks[s * asset.tiles.size() + t] |= uint64_t(1) << slot;
     }
 }
-
-void addCells(asset::Asset& asset, uint32_t edge) {
-  for (uint32_t cell = 0; cell < edge * edge; ++cell) {
-    const float size = 2.0f / float(edge), x = -1 + size * float(cell % edge),
-                z = -1 + size * float(cell / edge);
-    const auto first = uint32_t(asset.vertices.size());
-    for (const auto& vertex :
-         {corner(x, z), corner(x + size, z), corner(x + size, z + size), corner(x, z + size)})
-      asset.vertices.push_back(vertex);
-    asset.triangles.push_back({{first, first + 2, first + 1}, cell});
-    asset.triangles.push_back({{first, first + 3, first + 2}, cell});
-  }
-}
-
-}  // namespace
 
 Square::Square() {
   material.metallic = 0;
@@ -95,7 +96,7 @@ asset::Asset Square::makeAsset() const {
       asset.records.push_back(record(i % atlasEdge, i / atlasEdge, atlasEdge, back));
   for (uint32_t i = 0; i < count; ++i) asset.atlas.push_back({i, twoSided ? count + i : asset::kNone});
   if (directionCells > 0) asset.cellSphere = {{directionCells, 10 * directionCells * directionCells + 2}};
-  addTiles(asset, glossyBoxes, diffuseBoxes);
+  tileRecords(asset, glossyBoxes, diffuseBoxes);
   if (!visibility) return asset;
   asset.scheme = directionCells > 0 ? asset::Scheme::cells : asset::Scheme::split;
   for (uint32_t r = 0; r < asset.records.size(); ++r) {

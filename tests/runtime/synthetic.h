@@ -22,6 +22,10 @@ using PackedSource = std::function<PackedBox(uint32_t, uint32_t, uint32_t)>;
 asset::AssetReader writeSynthetic(const std::filesystem::path& path, const asset::Asset& asset,
                                   const PackedSource& kernel);
 
+/// Puts all records into tiles whose kernels have that many boxes, gloss for the views of each record's
+/// hemisphere (with direction cells: for all cells).
+void tileRecords(asset::Asset& asset, uint32_t glossyBoxes, uint32_t diffuseBoxes);
+
 /// The square [-1,1]^2 of the plane y = 0, front up, whose atlas covers it once: atlas texel (i, j) is the
 /// part around x = (2 i + 1) / n - 1, z = (2 j + 1) / n - 1. Records are the front of every texel row by row,
 /// then, if `twoSided`, the back.

@@ -90,7 +90,7 @@ TEST_P(KernelStudyTest, BoxesAreThoseOfTheWholeBake) {
 
 TEST_P(KernelStudyTest, DepositsAreWhatTheBoxesWereFittedTo) {
   const KernelStudy found = study({{1, 5}, false, std::nullopt});
-  BoxFitter fitter({.boxes = int(options_.lambertBoxes()), .gridSize = 64});
+  BoxFitter fitter(lambertFit(options_.lambertBoxes()));
   const auto again = fitter.fit(found.deposits, found.traced, int(options_.lambertBoxes()));
   ASSERT_EQ(again.size(), found.boxes.size());
   for (size_t j = 0; j < again.size(); ++j)

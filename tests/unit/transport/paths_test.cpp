@@ -96,6 +96,12 @@ TEST(Paths, AnInfiniteWhiteWallBouncesWhatItBlocks) {
   // The wall's own kernel is a half-sphere of which half lies below the horizon of the floor: it escapes
   // there.
   EXPECT_NEAR(meanThroughput(all).x, 1, 1e-2);
+  const auto straight = [](const KernelPaths& paths) {
+    return std::count_if(paths.deposits.begin(), paths.deposits.end(),
+                         [](const Deposit& d) { return d.straight; });
+  };
+  EXPECT_EQ(size_t(straight(one)), one.deposits.size());
+  EXPECT_EQ(size_t(straight(all)), one.deposits.size());
 }
 
 TEST(Paths, DirectionCellsSeeWhatTheirDirectionsMeet) {

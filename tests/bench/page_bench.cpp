@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a moving camera waits for pages: an orbit around a baked asset, by steps of 1, 5 and 20 degrees, each
+// from an empty device. docs/ptview.md has the figures.
+//   page_bench ASSET.ptb [DEVICE]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "common/base/error.h"
+#include "runtime/app/frame.h"
+#include "runtime/app/view_options.h"
+
+namespace boxlight {
+namespace {
+
+struct Wait {
+  double pages, frame;  // milliseconds of wall time; a frame with its wait
+};
+
+Wait draw(gpu::FrameRenderer& renderer) {
+  const auto start = std::chrono::steady_clock::now();
+  renderer.run();
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - start;
+  return {renderer.counts().pageMilliseconds, time.count()};
+}
+
+double quantile(std::vector<double> values, double part) {
+  std::sort(values.begin(), values.end());
+  return values[size_t(part * double(values.size() - 1))];
+}
+
+Camera cameraAt(const asset::Asset& asset, float degrees) {
+  const vec3 low(asset.info.boundsMin[0], asset.info.boundsMin[1], asset.info.boundsMin[2]),
+      high(asset.info.boundsMax[0], asset.info.boundsMax[1], asset.info.boundsMax[2]);
+  const float angle = degrees * kPi / 180, distance = 1.5f * glm::length(high - low);
+  Camera camera;
+  camera.size = {512, 512};
+  camera.tanHalfFov = 0.4f;
+  camera.forward = -glm::normalize(vec3(std::sin(angle), 0.5f, std::cos(angle)));
+  camera.eye = 0.5f * (low + high) - distance * camera.forward;
+  camera.right = glm::normalize(glm::cross(camera.forward, vec3(0, 1, 0)));
+  camera.up = glm::cross(camera.right, camera.forward);
+  return camera;
+}
+
+void orbit(gpu::Device& device, const asset::AssetReader& reader, float step) {
+  Image environment = makeImage(64, 32, 3);
+  std::fill(environment.pixels.begin(), environment.pixels.end(), 1.0f);
+  gpu::FrameSettings settings;
+  settings.camera = cameraAt(reader.asset(), 0);
+  gpu::FrameRenderer renderer(device, reader, environment, settings);
+  const double first = renderer.counts().pageMilliseconds;
+  std::vector<double> waits, frames;
+  for (int i = 1; i <= 36; ++i) {
+    settings.camera = cameraAt(reader.asset(), float(i) * step);
+    renderer.set(settings);
+    const Wait wait = draw(renderer);
+    waits.push_back(wait.pages);
+    frames.push_back(wait.frame);
+  }
+  fmt::print("{:>7.0f} {:>10.1f} {:>12.1f} {:>11.1f} {:>13.1f} {:>8.1f}\n", step, first, quantile(waits, 0.5),
+             quantile(waits, 1), quantile(frames, 0.5), double(renderer.counts().pageBytes) / (1 << 20));
+}
+
+int bench(int argc, char** argv) {
+  if (argc < 2) fail(ExitCode::usage, "give an asset: page_bench ASSET.ptb [DEVICE]");
+  gpu::Device device({argc > 2 ? argv[2] : "", false});
+  const asset::AssetReader reader(argv[1]);
+  fmt::print("{}, 512 x 512 pixels, 36 steps; milliseconds\n", device.info().name);
+  fmt::print("{:>7} {:>10} {:>12} {:>11} {:>13} {:>8}\n", "degrees", "first", "median wait", "worst wait",
+             "median frame", "MiB");
+  for (const float step : {1.0f, 5.0f, 20.0f}) orbit(device, reader, step);
+  return 0;
+}
+
+}  // namespace
+}  // namespace boxlight
+
+int main(int argc, char** argv) try { return boxlight::bench(argc, argv); } catch (const std::exception& e) {
+  fmt::print(stderr, "page_bench: {}\n", e.what());
+  return 1;
+}
