@@ -155,17 +155,22 @@ TEST_F(InsideExtremes, SidesWithoutRecordsAreBlack) {
   expectEverywhere(reader, vec3(0.3f, 0.2f, -0.1f), vec4(0, 0, 0, 1), 0.0f);
 }
 
-/// In a wall's plane, on an edge, in a corner and on a texel's centre, where its direction to the eye is 0 /
-/// 0.
+/// In a wall's plane, on an edge, in a corner, and at the very place of a record, where its direction to the
+/// eye is 0 / 0: a record's place is the mean of its texel, which a curved surface passes by.
 TEST_F(InsideExtremes, EyesOnTheSurfaceItself) {
   square_.glossyBoxes = 3;
   square_.material.flags = asset::kDoubleSided;
   square_.twoSided = true;
-  const auto reader = write(Front::inwards, [](uint32_t stream, uint32_t, uint32_t slot) {
-    return Box{0.01f * float(stream), 0.1f * float(slot), 0.3f, 0.2f, Rgb(1)};
+  square_.material.metallic = square_.material.specular = 1;
+  asset::Asset room = makeRoom(square_, Front::inwards);
+  for (asset::TexelRecord& record : room.records)
+    for (int k = 0; k < 3; ++k) record.position[k] *= 0.9f;
+  const auto reader = writeSynthetic(file("room.ptb"), room, [](uint32_t stream, uint32_t, uint32_t slot) {
+    return packBox({0.01f * float(stream), 0.1f * float(slot), 0.3f, 0.2f, Rgb(1)});
   });
-  const float centre = 1.0f / float(kEdge);
-  for (const vec3 eye : {vec3(0, -1, 0), vec3(1, -1, 0.3f), vec3(1, 1, 1), vec3(centre, -1, centre)})
+  const auto& p = room.records[4 * kEdge * kEdge + 27].position;  // of the floor
+  ASSERT_FLOAT_EQ(p[1], -0.9f);
+  for (const vec3 eye : {vec3(0, -1, 0), vec3(1, -1, 0.3f), vec3(1, 1, 1), vec3(p[0], p[1], p[2])})
     look(reader, extremeMaps()[2].image, eye, [](const Image& picture) {
       for (const float value : picture.pixels) {
         ASSERT_TRUE(std::isfinite(value));
