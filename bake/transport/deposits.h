@@ -12,7 +12,8 @@ struct Deposit {
   Rgb throughput{0.0f};  ///< finite, >= 0
   /// Of the throughput: what was reflected by microfacets and then met no other surface and no medium.
   Rgb mirrored{0.0f};
-  bool straight = false;  ///< met no other surface and no medium
+  /// Met no other surface and no medium. (Blended ones that it passed by a lottery do not count.)
+  bool straight = false;
 
   bool operator==(const Deposit&) const = default;
 };

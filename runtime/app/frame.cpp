@@ -26,6 +26,11 @@ bool seesTheSame(FrameSettings before, const FrameSettings& now) {
   return before == now;
 }
 
+bool isSameView(Camera before, const Camera& now) {
+  before.size = now.size;
+  return before == now;
+}
+
 uint64_t area(uvec2 size) { return uint64_t(size.x) * size.y; }
 
 }  // namespace
@@ -139,6 +144,7 @@ void FrameRenderer::Parts::showLight() {
 
 void FrameRenderer::Parts::set(const FrameSettings& chosen, const Image* environment) {
   const FrameSettings before = std::exchange(settings, chosen);
+  if (!isSameView(before.camera, settings.camera)) counts.pageMilliseconds = 0;
   setLight(before, environment);
   if (seesTheSame(before, settings)) return;
   if (blended && settings.layerLimit != before.layerLimit) {
@@ -185,7 +191,7 @@ void FrameRenderer::Parts::makeResident() {
   const auto start = std::chrono::steady_clock::now();
   pages.require(visible, settings.camera.eye);
   if (maps) maps->require(visible);
-  counts.pageMilliseconds =
+  counts.pageMilliseconds +=
       std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   counts.visibleRecords = visible.size();
   counts.boxes = pages.countBoxes(visible, settings.boxLimit);

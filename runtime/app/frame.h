@@ -37,7 +37,7 @@ struct FrameCounts {
   uint64_t visibleRecords = 0;
   uint64_t boxes = 0;  ///< integrals of Equation 3 in a frame
   uint64_t pages = 0, pageBytes = 0, sceneBytes = 0;
-  double pageMilliseconds = 0;   ///< that the last camera's first frame waited for pages, wall time
+  double pageMilliseconds = 0;   ///< that frames of this view have waited for pages, wall time
   double lightMilliseconds = 0;  ///< on the device, of the last light map and table
   uint32_t layers = 0;           ///< blended layers drawn, of the image tile with the most
   uint64_t cutLayerSamples = 0;  ///< visibility samples with more layers than the limit

@@ -6,10 +6,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <vector>
 
 #include "common/base/error.h"
 #include "runtime/app/frame.h"
-#include "runtime/app/view_options.h"
 
 namespace boxlight {
 namespace {

@@ -40,6 +40,7 @@ double ViewExtremes::worstAgainstOracle(const asset::AssetReader& reader, const 
     const TexelRadiance exact = relighter.relight(r, settings_.camera.eye, lights);
     for (int c = 0; c < 3; ++c) {
       const auto error = [](double found, double truth) {
+        EXPECT_TRUE(std::isfinite(found));  // max() does not see NaN
         return std::abs(found - truth) / std::max(std::abs(truth), 1e-12);
       };
       worst = std::max(worst, error(double(shaded[2 * r][c]), exact.diffuse[c]));

@@ -49,5 +49,7 @@ def summary(found):
     def rms(k):
         return math.sqrt(math.fsum(step[k] ** 2 for step in found) / len(found))
 
+    if min(step[1] for step in found) <= 0:
+        raise ValueError("the truth does not change, or its noise hides that it does: give it more paths")
     ratios = sorted(step[0] / step[1] for step in found)
     return {"change": rms(0) / rms(1), "error": rms(2) / rms(1), "largest": ratios[-1], "least": ratios[0]}

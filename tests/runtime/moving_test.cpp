@@ -127,6 +127,27 @@ TEST_F(MovingTest, GlossyKernels) {
   follow(square.write(file("gloss.ptb"), anyBox), allSteps());
 }
 
+/// A view is the same at another size: the window draws each in two.
+TEST_F(MovingTest, WaitsForPagesBelongToAView) {
+  Square square;
+  const auto reader = square.write(file("waits.ptb"), anyBox);
+  gpu::FrameRenderer renderer(*device_, reader, light_, settings_);
+  const double first = renderer.counts().pageMilliseconds;
+  EXPECT_GT(first, 0);
+  settings_.camera.size = {50, 31};
+  renderer.set(settings_);
+  renderer.run();
+  const double both = renderer.counts().pageMilliseconds;
+  EXPECT_GT(both, first);
+  renderer.run();
+  EXPECT_EQ(renderer.counts().pageMilliseconds, both);
+  settings_.camera.eye = {-0.7f, 0.9f, 0.1f};
+  renderer.set(settings_);
+  EXPECT_EQ(renderer.counts().pageMilliseconds, 0);
+  renderer.run();
+  EXPECT_GT(renderer.counts().pageMilliseconds, 0);
+}
+
 TEST_F(MovingTest, BlendedLayers) {
   Square square;
   square.material.baseColor[3] = 0.5f;
