@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a moving camera waits for pages: an orbit around a baked asset, by steps of 1, 5 and 20 degrees, each
 // from an empty device. docs/ptview.md has the figures.
-//   page_bench ASSET.ptb [DEVICE]
+//   page_bench ASSET.ptb [STEPS [DEVICE]]
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "common/base/error.h"
@@ -45,7 +46,7 @@ Camera cameraAt(const asset::Asset& asset, float degrees) {
   return camera;
 }
 
-void orbit(gpu::Device& device, const asset::AssetReader& reader, float step) {
+void orbit(gpu::Device& device, const asset::AssetReader& reader, float step, int steps) {
   Image environment = makeImage(64, 32, 3);
   std::fill(environment.pixels.begin(), environment.pixels.end(), 1.0f);
   gpu::FrameSettings settings;
@@ -53,7 +54,7 @@ void orbit(gpu::Device& device, const asset::AssetReader& reader, float step) {
   gpu::FrameRenderer renderer(device, reader, environment, settings);
   const double first = renderer.counts().pageMilliseconds;
   std::vector<double> waits, frames;
-  for (int i = 1; i <= 36; ++i) {
+  for (int i = 1; i <= steps; ++i) {
     settings.camera = cameraAt(reader.asset(), float(i) * step);
     renderer.set(settings);
     const Wait wait = draw(renderer);
@@ -65,13 +66,14 @@ void orbit(gpu::Device& device, const asset::AssetReader& reader, float step) {
 }
 
 int bench(int argc, char** argv) {
-  if (argc < 2) fail(ExitCode::usage, "give an asset: page_bench ASSET.ptb [DEVICE]");
-  gpu::Device device({argc > 2 ? argv[2] : "", false});
+  if (argc < 2) fail(ExitCode::usage, "give an asset: page_bench ASSET.ptb [STEPS [DEVICE]]");
+  const int steps = argc > 2 ? std::max(std::atoi(argv[2]), 1) : 36;
+  gpu::Device device({argc > 3 ? argv[3] : "", false});
   const asset::AssetReader reader(argv[1]);
-  fmt::print("{}, 512 x 512 pixels, 36 steps; milliseconds\n", device.info().name);
+  fmt::print("{}, 512 x 512 pixels, {} steps; milliseconds\n", device.info().name, steps);
   fmt::print("{:>7} {:>10} {:>12} {:>11} {:>13} {:>8}\n", "degrees", "first", "median wait", "worst wait",
              "median frame", "MiB");
-  for (const float step : {1.0f, 5.0f, 20.0f}) orbit(device, reader, step);
+  for (const float step : {1.0f, 5.0f, 20.0f}) orbit(device, reader, step, steps);
   return 0;
 }
 
