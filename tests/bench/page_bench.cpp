@@ -33,17 +33,14 @@ double quantile(std::vector<double> values, double part) {
 }
 
 Camera cameraAt(const asset::Asset& asset, float degrees) {
-  const vec3 low(asset.info.boundsMin[0], asset.info.boundsMin[1], asset.info.boundsMin[2]),
-      high(asset.info.boundsMax[0], asset.info.boundsMax[1], asset.info.boundsMax[2]);
-  const float angle = degrees * kPi / 180, distance = 1.5f * glm::length(high - low);
-  Camera camera;
-  camera.size = {512, 512};
-  camera.tanHalfFov = 0.4f;
-  camera.forward = -glm::normalize(vec3(std::sin(angle), 0.5f, std::cos(angle)));
-  camera.eye = 0.5f * (low + high) - distance * camera.forward;
-  camera.right = glm::normalize(glm::cross(camera.forward, vec3(0, 1, 0)));
-  camera.up = glm::cross(camera.right, camera.forward);
-  return camera;
+  const auto& info = asset.info;
+  const vec3 low(info.boundsMin[0], info.boundsMin[1], info.boundsMin[2]),
+      high(info.boundsMax[0], info.boundsMax[1], info.boundsMax[2]);
+  const float angle = degrees * kPi / 180;
+  CameraOptions options;
+  options.eye = 0.5f * (low + high) + framingDistance(low, high, options) *
+                                          glm::normalize(vec3(std::sin(angle), 0.5f, std::cos(angle)));
+  return makeCamera(options, low, high);
 }
 
 void orbit(gpu::Device& device, const asset::AssetReader& reader, float step, int steps) {
