@@ -50,7 +50,7 @@ vec3 emittedRadiance(Kernel kernel) { return kernel.present ? unpackEmission(loa
 
 bool hasCells(GpuRecord record) { return kCells && (record.slot & kRecordHasCells) != 0; }
 
-/// Of a kernel of a split lobe, which has a slot for its hidden part (common/asset: checkHiddenParts): what its hidden directions
+/// Of a kernel of a split lobe, which has a slot for its hidden part (common/asset: checkSlotKinds): what its hidden directions
 /// send, and the part of the lobe that this stands for.
 vec4 hiddenRadiance(Kernel kernel, uint slots) {
   uint first = emits(kernel) ? 1 : 0, end = kernel.present ? first + 1 + min(slots - first - 1, frame.boxLimit) : 0;

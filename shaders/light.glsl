@@ -18,4 +18,11 @@ layout(binding = kBindLightTexels) uniform usamplerBuffer lightTexels;  // of a 
 #define BOXLIGHT_EXACT kExactSums
 #include "boxlight.glsl"
 
+layout(std430, binding = kBindMoments) readonly buffer Moments { uvec4 moments[]; };
+layout(binding = kBindMomentTexels) uniform usamplerBuffer momentTexels;
+
+#define BOXLIGHT_MOMENT(i) (kTexelBuffers ? texelFetch(momentTexels, int(i)) : moments[i])
+#define BOXLIGHT_MOMENT_UNIT frame.momentUnit
+#include "moments.glsl"
+
 #endif

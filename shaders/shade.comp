@@ -12,6 +12,7 @@ layout(constant_id = kConstantWeights) const bool kInterpolateWeight = false;
 layout(constant_id = kConstantGlossy) const bool kGlossy = true;
 layout(constant_id = kConstantNormalMapped) const bool kNormalMapped = true;
 layout(constant_id = kConstantSplit) const bool kSplit = true;
+layout(constant_id = kConstantLambert) const bool kLambert = true;
 
 layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kBindRecords) readonly buffer Records { GpuRecord records[]; };
@@ -24,7 +25,7 @@ layout(std430, binding = kBindShaded) writeonly buffer Shaded { vec4 shaded[]; }
 const float kHorizonCosine = 0.05;        // view_sphere.h
 const float kLeastGradientCosine = 0.1;  // relight.h
 
-/// Of diffuse radiance: one column a channel is its gradient in the normal (relight.h: diffuseGradient).
+/// Of diffuse radiance: one column a channel is its gradient in the normal (relight.h: DiffuseRadiance).
 struct Diffuse {
   vec3 radiance;
   mat3 gradient;
@@ -36,6 +37,20 @@ mat3 gradientTerm(vec3 normal, vec3 direction, vec3 radiance) {
   return outerProduct(direction * (cosine / max(cosine * cosine, kLeastGradientCosine * kLeastGradientCosine)), radiance);
 }
 
+/// A slot of a Lambert kernel; straight light is summed apart.
+void addSlot(uvec4 packed, vec3 normal, vec3 mapNormal, inout Diffuse sum, inout StraightLight straight) {
+  if (isCosineBox(packed)) {
+    addCosineBox(packed, mapNormal, straight);
+    return;
+  }
+  Box box = unpackBox(packed);
+  float omega;
+  vec3 light = integrateLight(box.u, box.du, box.latitudes, omega);
+  vec3 radiance = box.energy * light / omega;
+  sum.radiance += radiance;
+  if (kNormalMapped) sum.gradient += gradientTerm(normal, meanDirection(box.u, box.du, box.latitudes), radiance);
+}
+
 Diffuse diffuseRadiance(GpuRecord record) {
   uint boxes = tiles[record.tile].w;
   Kernel kernel = findKernel(frame.diffuseStream, record, boxes);
@@ -43,14 +58,18 @@ Diffuse diffuseRadiance(GpuRecord record) {
   if (!kernel.present) return sum;
   bool emitting = emits(kernel);
   if (emitting) sum.radiance = emittedRadiance(kernel);
-  uint first = emitting ? 1 : 0;
-  for (uint j = first; j < first + min(boxes - first, frame.boxLimit); ++j) {
-    Box box = loadBox(kernel, j);
-    float omega;
-    vec3 light = integrateLight(box.u, box.du, box.latitudes, omega);
-    vec3 radiance = box.energy * light / omega;
-    sum.radiance += radiance;
-    if (kNormalMapped) sum.gradient += gradientTerm(record.normal, meanDirection(box.u, box.du, box.latitudes), radiance);
+  uint first = emitting ? 1 : 0, end = first + min(boxes - first, frame.boxLimit);
+  vec3 mapNormal = turnedToMap(record.normal);
+  StraightLight straight = StraightLight(vec3(0.0), Moment(vec3(0.0), vec3(0.0), vec3(0.0)));
+  for (uint j = first; j < end; ++j) {
+    uvec4 packed = loadPacked(kernel, j);
+    if (packed == uvec4(0)) break;  // the slots that a fit left empty come last
+    addSlot(packed, record.normal, mapNormal, sum, straight);
+  }
+  sum.radiance += max(straight.irradiance, vec3(0.0)) / kPi;
+  if (kNormalMapped) {
+    Moment moment = turnedToWorld(straight.moment);
+    sum.gradient += transpose(mat3(moment.x, moment.y, moment.z)) / kPi;
   }
   return sum;
 }
@@ -115,7 +134,8 @@ void main() {
   if (gl_GlobalInvocationID.x >= header.count) return;
   uint entry = visible[gl_GlobalInvocationID.x], r = entry & ~kLambertOnly;
   GpuRecord record = records[r];
-  Diffuse diffuse = diffuseRadiance(record);
+  Diffuse diffuse = Diffuse(vec3(0.0), mat3(0.0));
+  if (kLambert) diffuse = diffuseRadiance(record);
   shaded[kShadedRadiances * r] = vec4(diffuse.radiance, 0.0);
   for (uint c = 0; kNormalMapped && c < kShadedGradients; ++c) shaded[gradientIndex(r, c)] = vec4(diffuse.gradient[c], 0.0);
   if (kGlossy && entry == r) shaded[kShadedRadiances * r + 1] = glossyRadiance(r, record);

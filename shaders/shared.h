@@ -44,12 +44,14 @@ SHARED_CONSTANT kBindPicture = 25;             // RGBA floats of one image tile
 SHARED_CONSTANT kBindMaterialExtensions = 26;  // asset::MaterialExtension
 SHARED_CONSTANT kBindTextureTransforms = 27;   // asset::TextureTransform
 SHARED_CONSTANT kBindBlended = 28;             // indices of the blended triangles, ascending
-SHARED_CONSTANT kBufferBindings = 29;
-SHARED_CONSTANT kBindVisibility = 29;  // r32ui image: triangle + 1, or 0
+SHARED_CONSTANT kBindMoments = 29;             // of the light: see kMomentColumns
+SHARED_CONSTANT kBufferBindings = 30;
+SHARED_CONSTANT kBindVisibility = 30;  // r32ui image: triangle + 1, or 0
 // What shading reads most, once more as texel buffers, which lavapipe reads in a third of the time.
-SHARED_CONSTANT kBindTableTexels = 30;  // kBindTables
-SHARED_CONSTANT kBindLightTexels = 31;  // kBindSummedArea
-SHARED_CONSTANT kBindMapTexels = 32;    // kBindVisibilityMaps
+SHARED_CONSTANT kBindTableTexels = 31;   // kBindTables
+SHARED_CONSTANT kBindLightTexels = 32;   // kBindSummedArea
+SHARED_CONSTANT kBindMapTexels = 33;     // kBindVisibilityMaps
+SHARED_CONSTANT kBindMomentTexels = 34;  // kBindMoments
 
 // Bindings of the passes that make the light's table, in a set of their own.
 SHARED_CONSTANT kLightConstants = 0;   // LightConstants
@@ -61,6 +63,12 @@ SHARED_CONSTANT kLightRowFactors = 5;  // one float a row
 SHARED_CONSTANT kLightRowSums = 6;     // RowSum
 SHARED_CONSTANT kLightEntries = 7;     // the table: kBindSummedArea of the frame
 SHARED_CONSTANT kLightHighlights = 8;  // Highlight
+SHARED_CONSTANT kMomentConstants = 9;  // MomentConstants
+SHARED_CONSTANT kMomentCovers = 10;    // MomentCover::Texel of every column, then of every row of the lattice
+SHARED_CONSTANT kMomentWeights = 11;   // floats: three a column's share, then two a row's
+SHARED_CONSTANT kMomentTexels = 12;    // floats[axis][row][column][channel] in units of the table
+SHARED_CONSTANT kMomentCells = 13;     // vec4[cell][axis]: moments of R, G, B and of a light of 1
+SHARED_CONSTANT kMomentTable = 14;     // kBindMoments of the frame
 
 // Bindings of the window's own set.
 SHARED_CONSTANT kBindShown = 0;    // linear RGBA, premultiplied, vec4[shownSize]
@@ -88,7 +96,8 @@ SHARED_CONSTANT kConstantCells = 15;         // any asset::kDirectionCells
 SHARED_CONSTANT kConstantBoxPools = 16;      // that resident pages fill
 SHARED_CONSTANT kConstantEmitters = 17;      // has any resident kernel emitted radiance?
 SHARED_CONSTANT kConstantWeights = 18;  // between the views boxes have the mean weight, not the mean energy
-SHARED_CONSTANT kSurfaceConstants = 19;
+SHARED_CONSTANT kConstantLambert = 19;  // any Lambert kernel
+SHARED_CONSTANT kSurfaceConstants = 20;
 SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
@@ -128,6 +137,20 @@ SHARED_CONSTANT kGuardBits = 16;
 SHARED_CONSTANT kPrefixBits = 42;
 SHARED_CONSTANT kSegments = 8;  // of a column, summed side by side (sat_columns_groups.comp)
 
+// Moments of the light (common/light/moment_cover.h): uvec4[lattice row][lattice column][axis], of which R, G
+// and B are sums over the texels above and left, modulo 2^32, of the light times that component of its
+// direction; then uvec4[node][axis], floats: the moments of a hemisphere and that component of its normal.
+SHARED_CONSTANT kMomentColumns = 256;
+SHARED_CONSTANT kMomentRows = 128;
+SHARED_CONSTANT kMomentStride = kMomentColumns + 1;
+SHARED_CONSTANT kHorizonColumns = 48;
+SHARED_CONSTANT kHorizonRows = 25;
+SHARED_CONSTANT kHorizonNodes = kHorizonColumns * kHorizonRows;
+SHARED_CONSTANT kHorizonCellColumns = 32;
+SHARED_CONSTANT kHorizonCellRows = 16;
+SHARED_CONSTANT kHorizonCells = kHorizonCellColumns * kHorizonCellRows;
+SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place of the first
+
 struct FrameConstants {
   vec4 eye;           // xyz; w = distance of the near plane
   vec4 right;         // unit, divided by tan(half the horizontal field of view)
@@ -147,7 +170,8 @@ struct FrameConstants {
   vec4 toEnvironment[3];  // columns: from directions of the world to those of the image, for the background
   float lightIntensity;   // of the background; lightUnit has it
   uint cellTriangles;     // behind those of the views
-  uint reserved[2];
+  float momentUnit;       // radiance times steradian of one unit of the moments, times the intensity
+  uint reserved;
 };
 
 // A rectangle of the picture, in pixels.
@@ -226,6 +250,13 @@ struct LightConstants {
   uint samplesPerAxis, highlightCount;
   uint columnShares;  // of the level map: places in the tables before those of rows
   uint reserved;
+};
+
+// What the passes that make the moments work on.
+struct MomentConstants {
+  uvec2 mapSize;   // of the light map
+  float perUnit;   // units of the table in a radiance times steradian
+  uint rowShares;  // of the weights: place of the first row's
 };
 
 struct VisibleHeader {

@@ -111,11 +111,6 @@ std::vector<Box> BoxFitter::Scratch::result(uint64_t pathCount) const {
   return result;
 }
 
-float stratifiedPart(uint64_t pathCount) {
-  constexpr double kBoxPart = 1.0 / 64;
-  return float(1.0 / std::sqrt(std::max(kBoxPart * double(pathCount), 1.0)));
-}
-
 BoxFitter::BoxFitter(FitOptions options) : options_(options), scratch_(std::make_unique<Scratch>(options)) {
   assert(options.boxes >= 1 && options.boxes <= 64 && options.gridSize >= 2 && options.gridSize <= 64);
   assert(options.seeds >= 1 && options.seeds <= 16 && options.refinements >= 0 && options.noise >= 0.0f);
@@ -129,8 +124,7 @@ std::vector<Box> BoxFitter::fit(std::span<const Deposit> deposits, uint64_t path
   assert(boxes >= 1 && boxes <= options_.boxes);
   Scratch& s = *scratch_;
   s.options.boxes = boxes;
-  const float straight = s.options.stratified ? stratifiedPart(pathCount) : 1.0f;
-  if (!s.grid.build(deposits, s.options.noise, straight * s.options.noise)) return {};
+  if (!s.grid.build(deposits, s.options.noise)) return {};
   assert(pathCount >= deposits.size());
   s.boxes.clear();
   s.weights.reset();

@@ -19,17 +19,9 @@ struct FitOptions {
   /// Variances of its own integral that a box's squared integral must beat. 0 fits noise as if it were
   /// signal.
   float noise = 4.0f;
-  /// Were the first directions of the paths stratified? Then what went straight to the light has less
-  /// variance: stratifiedPart().
-  bool stratified = false;
   int refinements = 2;  ///< rounds in which every box moves again, given all the others
   int seeds = 2;        ///< starting boxes that are descended for each insertion; 1 to 16
 };
-
-/// The variance of a box's straight deposits, as a part of what independent paths would leave. Of n
-/// stratified points those that fall into a region vary with the strata on its edge, whose number is about
-/// the root of the number inside: 1 / sqrt(n / 64) for a box with a 64th of the paths.
-float stratifiedPart(uint64_t pathCount);
 
 /// Fits the boxes of Equation 2 to the deposits of one kernel. Reusable: it owns the scratch memory, so keep
 /// one per thread.

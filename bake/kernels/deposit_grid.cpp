@@ -46,14 +46,14 @@ DepositGrid::DepositGrid(int size)
       columnEnergy_(kRasterColumns),
       rowEnergy_(kRasterRows) {}
 
-bool DepositGrid::build(std::span<const Deposit> deposits, float noise, float straightNoise) {
+bool DepositGrid::build(std::span<const Deposit> deposits, float noise) {
   total_ = dvec3(0.0);
   for (const Deposit& deposit : deposits) total_ += dvec3(deposit.throughput);
   const double sum = total_.x + total_.y + total_.z;
   if (!(sum > 0.0)) return false;
   scale_ = 1.0 / sum;
   chooseLines(deposits);
-  bin(deposits, noise, straightNoise);
+  bin(deposits, noise);
   return true;
 }
 
@@ -77,13 +77,12 @@ void DepositGrid::chooseLines(std::span<const Deposit> deposits) {
     zoneAbove_[y] = rectangleSolidAngle(1.0, 0.0, double(rowLines_[y]) / kRasterRows);
 }
 
-void DepositGrid::bin(std::span<const Deposit> deposits, float noise, float straightNoise) {
+void DepositGrid::bin(std::span<const Deposit> deposits, float noise) {
   cells_.assign(size_t(columns()) * rows(), splat(0.0f));
   for (const Deposit& deposit : deposits) {
     const vec3 t(dvec3(deposit.throughput) * scale_);
     const int x = columnOfRaster_[rasterColumn(deposit.uv)], y = rowOfRaster_[rasterRow(deposit.uv)];
-    cells_[size_t(y) * columns() + x] +=
-        lanes(t, (deposit.straight ? straightNoise : noise) * glm::dot(t, t));
+    cells_[size_t(y) * columns() + x] += lanes(t, noise * glm::dot(t, t));
   }
 }
 

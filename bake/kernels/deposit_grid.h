@@ -28,9 +28,8 @@ class DepositGrid {
  public:
   explicit DepositGrid(int size);  ///< at most size x size cells
 
-  /// False if the deposits carry no energy. Each cell's last lane is the sum of noise * |throughput|^2, for
-  /// straight deposits of straightNoise * |throughput|^2.
-  bool build(std::span<const Deposit> deposits, float noise, float straightNoise);
+  /// False if the deposits carry no energy. Each cell's last lane is the sum of noise * |throughput|^2.
+  bool build(std::span<const Deposit> deposits, float noise);
 
   int columns() const { return int(columnLines_.size()) / 2; }
   int rows() const { return int(rowLines_.size()) - 1; }
@@ -57,7 +56,7 @@ class DepositGrid {
 
  private:
   void chooseLines(std::span<const Deposit> deposits);
-  void bin(std::span<const Deposit> deposits, float noise, float straightNoise);
+  void bin(std::span<const Deposit> deposits, float noise);
 
   int size_;
   double scale_ = 1.0;

@@ -31,8 +31,8 @@ TexelBaker::TexelBaker(const Intersector& world, const TexelMap& map, const View
       cells_(options.cellFrequency),
       options_(options),
       tracer_(world, options.limits),
-      lambertFitter_(lambertFit(options.lambertBoxes())),
-      glossyFitter_(FitOptions{.boxes = int(KernelOptions::kMaxFittedBoxes)}) {
+      straightFitter_(straightFit(options.lambertBoxes())),
+      fitter_(FitOptions{.boxes = int(KernelOptions::kMaxFittedBoxes)}) {
   key_.seed = options.seed;
 }
 
@@ -41,8 +41,9 @@ void TexelBaker::account(RecordKernels& result) const {
   result.removed += paths_.removed;
 }
 
-std::vector<Box> TexelBaker::fit(BoxFitter& fitter, uint32_t boxes) const {
-  return paths_.traced ? fitter.fit(paths_.deposits, paths_.traced, int(boxes)) : std::vector<Box>{};
+std::vector<Box> TexelBaker::fit(uint32_t boxes) {
+  return paths_.traced && boxes > 0 ? fitter_.fit(paths_.deposits, paths_.traced, int(boxes))
+                                    : std::vector<Box>{};
 }
 
 void TexelBaker::traceLambert(const PathOrigin& origin, RecordKernels& result) {
@@ -54,10 +55,17 @@ void TexelBaker::traceLambert(const PathOrigin& origin, RecordKernels& result) {
 
 void TexelBaker::bakeLambert(const PathOrigin& origin, RecordKernels& result) {
   traceLambert(origin, result);
-  const std::vector<Box> boxes = fit(lambertFitter_, options_.lambertBoxes());
+  std::vector<PackedBox> slots;
+  for (CosineBox box : straightFitter_.fit(paths_.first, origin.normal)) {
+    box.amplitude *= std::min(options_.limits.throughput, 1.0f);  // of deposits that it scales down, too
+    slots.push_back(packCosineBox(box));
+  }
+  paths_.removeStraight();
+  for (const Box& box : fit(options_.lambertBoxes() - uint32_t(slots.size()))) slots.push_back(packBox(box));
   result.lambert.emission = paths_.emission();
-  if (!boxes.empty() || maxComponent(result.lambert.emission) > 0.0f)
-    result.lambert.slots = pack(boxes, options_.lambertBoxes());
+  if (slots.empty() && !(maxComponent(result.lambert.emission) > 0.0f)) return;
+  slots.resize(options_.lambertBoxes());
+  result.lambert.slots = std::move(slots);
 }
 
 void TexelBaker::traceView(const PathOrigin& origin, uint32_t view, const GlossyKernels& kernels,
@@ -77,7 +85,7 @@ void TexelBaker::bakeWhole(const PathOrigin& origin, const GlossyKernels& kernel
   for (uint32_t view = 0; view < sphere_.viewCount(); ++view) {
     if (!stored[view]) continue;
     traceView(origin, view, kernels, result);
-    boxes[view] = fit(glossyFitter_, kernels.slots);
+    boxes[view] = fit(kernels.slots);
     emission[view] = paths_.emission();
     anyLight |= !boxes[view].empty() || maxComponent(emission[view]) > 0.0f;
     // A view that no light reaches is stored as such: a view that is not stored would be left out of the
@@ -124,7 +132,7 @@ void TexelBaker::bakeCells(const RecordPlan& plan, const PathOrigin& origin, con
 
 /// Of the paths at hand, which hold no light that pixels reflect themselves.
 RecordKernel TexelBaker::hiddenKernel(uint32_t slots) {
-  RecordKernel kernel{pack(fit(glossyFitter_, slots - 1), slots - 1), paths_.emission()};
+  RecordKernel kernel{pack(fit(slots - 1), slots - 1), paths_.emission()};
   kernel.slots.insert(kernel.slots.begin(), packHiddenPart(paths_.hiddenPart()));
   return kernel;
 }

@@ -6,6 +6,7 @@
 
 #include "bake/kernels/box_fit.h"
 #include "bake/kernels/texel_records.h"
+#include "bake/kernels/visibility_fit.h"
 #include "bake/transport/paths.h"
 #include "common/light/view_sphere.h"
 #include "common/light/visibility_map.h"
@@ -40,10 +41,10 @@ struct KernelOptions {
   static constexpr uint32_t kMaxFittedBoxes = 64;
 };
 
-/// How a Lambert kernel is fitted. Boxes that are worth less than the noise of independent paths are what its
-/// horizon is made of.
-inline FitOptions lambertFit(uint32_t boxes) {
-  return {.boxes = int(boxes), .gridSize = 64, .stratified = true};
+/// How a Lambert kernel is fitted: at most five eighths of its boxes stand for the light that arrives
+/// straight, the others for what comes from other surfaces and out of media.
+inline VisibilityFitter::Options straightFit(uint32_t boxes) {
+  return {.boxes = int(std::max(5 * boxes / 8, 1u))};
 }
 
 struct RecordKernel {
@@ -93,7 +94,7 @@ class TexelBaker {
   void traceView(const PathOrigin& origin, uint32_t view, const GlossyKernels& kernels,
                  RecordKernels& result);
   void account(RecordKernels& result) const;
-  std::vector<Box> fit(BoxFitter& fitter, uint32_t boxes) const;
+  std::vector<Box> fit(uint32_t boxes);
 
   const Intersector& world_;
   const TexelMap& map_;
@@ -101,7 +102,8 @@ class TexelBaker {
   ViewSphere cells_;
   KernelOptions options_;
   PathTracer tracer_;
-  BoxFitter lambertFitter_, glossyFitter_;
+  VisibilityFitter straightFitter_;
+  BoxFitter fitter_;
   KernelPaths paths_;
   StreamKey key_;
 };

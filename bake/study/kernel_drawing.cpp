@@ -58,11 +58,25 @@ std::string rectangle(const Box& box, double u0, double opacity) {
       hue(box.energy), opacity);
 }
 
+/// Those that take away are grey.
+std::string drawCosineBoxes(const KernelStudy& study) {
+  if (study.cosineBoxes.empty()) return "";
+  std::string boxes = "<g id=\"cosine-boxes\" stroke=\"#ffc23d\" stroke-width=\"1.2\">\n";
+  for (const auto& [box, amplitude] : study.cosineBoxes) {
+    Box drawn = box;
+    drawn.energy = Rgb(amplitude > 0.0f ? Rgb(1.0f, 0.8f, 0.2f) : Rgb(0.1f));
+    const double opacity = std::min(0.3 * std::abs(double(amplitude)), 0.3);
+    boxes += rectangle(drawn, double(box.u0), opacity);
+    if (box.u0 + box.du > 1) boxes += rectangle(drawn, double(box.u0) - 1, opacity);
+  }
+  return boxes + "</g>\n";
+}
+
 /// A box over the seam is drawn at both ends.
 std::string drawBoxes(const KernelStudy& study) {
   double strongest = 1e-30;
   for (const Box& box : study.boxes) strongest = std::max(strongest, double(luminance(box.weight())));
-  std::string boxes = "<g id=\"boxes\" stroke=\"#ff5a36\" stroke-width=\"1.2\">\n";
+  std::string boxes = drawCosineBoxes(study) + "<g id=\"boxes\" stroke=\"#ff5a36\" stroke-width=\"1.2\">\n";
   for (const Box& box : study.boxes) {
     const double opacity = 0.5 * std::cbrt(double(luminance(box.weight())) / strongest);
     boxes += rectangle(box, double(box.u0), opacity);
@@ -88,9 +102,10 @@ std::string drawMarks(const KernelStudy& study) {
 
 std::string caption(const KernelStudy& study) {
   const auto& [texel, back, view] = study.query;
-  std::string text = fmt::format("texel {},{} {}, {}: {} deposits of {} paths, {} boxes", texel.x, texel.y,
-                                 back ? "back" : "front", view ? fmt::format("view {}", *view) : "Lambert",
-                                 study.deposits.size(), study.traced, study.boxes.size());
+  std::string text =
+      fmt::format("texel {},{} {}, {}: {} deposits of {} paths, {} boxes", texel.x, texel.y,
+                  back ? "back" : "front", view ? fmt::format("view {}", *view) : "Lambert",
+                  study.deposits.size(), study.traced, study.boxes.size() + study.cosineBoxes.size());
   if (study.hiddenPart) text += fmt::format(", hidden part {:.3f}", *study.hiddenPart);
   return fmt::format("<text x=\"8\" y=\"{}\" fill=\"#dddddd\">{}</text>\n", kHeight + 28, text);
 }

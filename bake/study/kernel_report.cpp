@@ -29,6 +29,11 @@ Json boxToJson(const Box& box) {
   return {{"u0", box.u0}, {"v0", box.v0}, {"du", box.du}, {"dv", box.dv}, {"energy", triple(box.energy)}};
 }
 
+Json boxToJson(const CosineBox& cosine) {
+  const Box& box = cosine.box;
+  return {{"u0", box.u0}, {"v0", box.v0}, {"du", box.du}, {"dv", box.dv}, {"amplitude", cosine.amplitude}};
+}
+
 Rgb energyOf(const KernelStudy& study) {
   Rgb sum(0.0f);
   for (const Deposit& deposit : study.deposits) sum += deposit.throughput;
@@ -46,6 +51,7 @@ Json kernelToJson(const KernelStudy& study) {
   json["energy"] = triple(energyOf(study));
   json["emission"] = triple(study.emission);
   if (study.hiddenPart) json["hiddenPart"] = *study.hiddenPart;
+  for (const CosineBox& box : study.cosineBoxes) json["cosineBoxes"].push_back(boxToJson(box));
   json["boxes"] = Json::array();
   for (const Box& box : study.boxes) json["boxes"].push_back(boxToJson(box));
   json["probes"] = Json::array();
@@ -71,6 +77,10 @@ std::string kernelToText(const KernelStudy& study) {
   text += fmt::format(": {} paths, {} deposits, energy {:.4f} {:.4f} {:.4f}", study.traced,
                       study.deposits.size(), energy.r, energy.g, energy.b);
   if (study.hiddenPart) text += fmt::format(", hidden part {:.4f}", *study.hiddenPart);
+  if (!study.cosineBoxes.empty())
+    text += fmt::format("\n\n{:>9}{:>9}{:>9}{:>9}  {:>9}", "u0", "v0", "du", "dv", "amplitude");
+  for (const auto& [b, amplitude] : study.cosineBoxes)
+    text += fmt::format("\n{:9.5f}{:9.5f}{:9.5f}{:9.5f}  {:9.5f}", b.u0, b.v0, b.du, b.dv, amplitude);
   text += fmt::format("\n\n{:>9}{:>9}{:>9}{:>9}  {:>9}{:>9}{:>9}\n", "u0", "v0", "du", "dv", "energy R", "G",
                       "B");
   for (const Box& b : study.boxes)

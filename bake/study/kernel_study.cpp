@@ -55,6 +55,8 @@ void keepSlots(const RecordKernel& kernel, KernelStudy& study) {
   for (const PackedBox& slot : kernel.slots)
     if (isHiddenPart(slot))
       study.hiddenPart = unpackHiddenPart(slot);
+    else if (isCosineBox(slot))
+      study.cosineBoxes.push_back(unpackCosineBox(slot));
     else if (const Box box = unpackBox(slot); maxComponent(box.energy) > 0.0f)
       study.boxes.push_back(box);
 }

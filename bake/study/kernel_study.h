@@ -23,8 +23,9 @@ struct KernelStudy {
   vec3 viewDirection{0.0f};  ///< as baked: a view's is raised above the horizon; 0 for a Lambert kernel
   /// Of a split record, without what its pixels reflect straight from the light.
   std::vector<Deposit> deposits;
-  uint32_t traced = 0;     ///< paths; a deposit is its throughput over this
-  std::vector<Box> boxes;  ///< as they are stored, empty slots left out
+  uint32_t traced = 0;                 ///< paths; a deposit is its throughput over this
+  std::vector<Box> boxes;              ///< as they are stored, empty slots left out
+  std::vector<CosineBox> cosineBoxes;  ///< of a Lambert kernel, which come before them
   Rgb emission{0.0f};
   std::optional<float> hiddenPart;  ///< of a split record's glossy kernel
   std::optional<VisibilityMap> visibility;

@@ -4,6 +4,7 @@
 
 #include "bake/study/kernel_study.h"
 #include "common/light/light_domain.h"
+#include "common/light/relight.h"
 
 namespace boxlight {
 namespace {
@@ -58,7 +59,8 @@ dvec3 ofPaths(const KernelStudy& study, const Image& map) {
 dvec3 ofBoxes(const KernelStudy& study, const SummedArea& light) {
   dvec3 sum(0.0);
   for (const Box& box : study.boxes) sum += dvec3(box.energy) * light.integrate(box, 0.0) / box.solidAngle();
-  return sum;
+  const auto& n = study.plan.record.normal;
+  return sum + straightRadiance(study.cosineBoxes, dvec3(n[0], n[1], n[2]), light).radiance;
 }
 
 }  // namespace

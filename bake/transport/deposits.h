@@ -18,4 +18,10 @@ struct Deposit {
   bool operator==(const Deposit&) const = default;
 };
 
+/// Where a path set out to.
+struct FirstDirection {
+  vec3 towards{0.0f};     ///< unit
+  bool straight = false;  ///< and met no surface and no medium there (as Deposit::straight)
+};
+
 }  // namespace boxlight

@@ -54,6 +54,7 @@ vec3 directionOf(const DirectionCell& cell, vec2 inCap, vec2 spread) {
 
 void KernelPaths::clear() {
   deposits.clear();
+  first.clear();
   emitted = dvec3(0.0);
   traced = 0;
   removed = 0;
@@ -66,6 +67,10 @@ void KernelPaths::removeMirrored() {
     deposit.throughput = glm::max(deposit.throughput - deposit.mirrored, Rgb(0.0f));
     return maxComponent(deposit.throughput) <= kRounding * maxComponent(deposit.mirrored);
   });
+}
+
+void KernelPaths::removeStraight() {
+  std::erase_if(deposits, [](const Deposit& deposit) { return deposit.straight; });
 }
 
 bool PathTracer::startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const {
@@ -93,7 +98,7 @@ void PathTracer::deposit(const PathState& path, Rgb mirrored, bool straight, Ker
   paths.deposits.push_back({directionToUv(path.direction), throughput, mirrored, straight});
 }
 
-void PathTracer::leave(const SurfaceView& first, PathState path, Rgb mirrored, Sampler& sampler,
+bool PathTracer::leave(const SurfaceView& first, PathState path, Rgb mirrored, Sampler& sampler,
                        KernelPaths& paths) const {
   const Scene& scene = world_.scene();
   SurfaceView surface = first;
@@ -105,14 +110,17 @@ void PathTracer::leave(const SurfaceView& first, PathState path, Rgb mirrored, S
     path.direction = ray.direction;
     const bool direct = bounce == 0 && !next.point && path.direction == start;
     if (bounce == 0) paths.hidden += direct ? lobe - own : lobe;
-    if (!(maxComponent(path.throughput) > 0.0f)) return;
-    if (!next.point) return deposit(path, direct ? mirrored : Rgb(0.0f), direct, paths);
+    if (!(maxComponent(path.throughput) > 0.0f)) return false;
+    if (!next.point) {
+      deposit(path, direct ? mirrored : Rgb(0.0f), direct, paths);
+      return direct;
+    }
     surface = viewSurface(scene, *next.point, -path.direction, path.media);
     const Bsdf bsdf(surface.material, surface.toLocal(-path.direction), surface.interface,
                     surface.coatNormal);
     paths.emitted += dvec3(path.throughput) * dvec3(bsdf.emission());
-    if (!continuePath(bounce, limits_.bounces, path.throughput, sampler)) return;
-    if (scatter(surface, bsdf, path, sampler) == 0.0f) return;
+    if (!continuePath(bounce, limits_.bounces, path.throughput, sampler)) return false;
+    if (scatter(surface, bsdf, path, sampler) == 0.0f) return false;
   }
 }
 
@@ -126,8 +134,9 @@ void PathTracer::traceLambert(const PathOrigin& origin, const StreamKey& key, ui
     const SurfaceView surface =
         viewSurfaceSide(world_.scene(), point, origin.normal, origin.back, origin.media);
     const vec3 direction = surface.toWorld(cosineDirection(sampler.next2()));
-    if (glm::dot(direction, surface.geometricNormal) > 0.0f)
-      leave(surface, {direction, Rgb(1.0f), origin.media}, Rgb(0.0f), sampler, paths);
+    const bool straight = glm::dot(direction, surface.geometricNormal) > 0.0f &&
+                          leave(surface, {direction, Rgb(1.0f), origin.media}, Rgb(0.0f), sampler, paths);
+    paths.first.push_back({direction, straight});
   }
 }
 

@@ -37,10 +37,13 @@ struct KernelPaths {
   /// straight away: of rays that meet a surface or scatter in a medium, those below the geometric horizon,
   /// and all of other lobes.
   double hidden = 0;
+  std::vector<FirstDirection> first;  ///< of traceLambert: of every path
 
   void clear();
   /// Leaves of the deposits what pixels cannot make themselves; drops those of which nothing is left.
   void removeMirrored();
+  /// Drops what went straight to the light.
+  void removeStraight();
   /// Mean radiance by way of the scene's emitters.
   Rgb emission() const { return traced ? Rgb(emitted / double(traced)) : Rgb(0.0f); }
   /// Which part of the lobes a pixel cannot make itself.
@@ -85,7 +88,8 @@ class PathTracer {
 
  private:
   bool startPoint(const PathOrigin& origin, Sampler& sampler, SurfacePoint& point) const;
-  void leave(const SurfaceView& surface, PathState path, Rgb mirrored, Sampler& sampler,
+  /// Did the path meet nothing?
+  bool leave(const SurfaceView& surface, PathState path, Rgb mirrored, Sampler& sampler,
              KernelPaths& paths) const;
   void deposit(const PathState& path, Rgb mirrored, bool straight, KernelPaths& paths) const;
   bool escapes(Ray ray, Sampler& sampler) const;

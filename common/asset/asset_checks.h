@@ -55,9 +55,9 @@ void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const
                 const Reporter& report);
 
 /// Have exactly the glossy kernels of split records a hidden part, behind emitted radiance and before the
-/// boxes?
-void checkHiddenParts(const Asset& asset, uint32_t stream, uint32_t tile, std::span<const PackedBox> page,
-                      const Reporter& report);
+/// boxes? Have only Lambert kernels cosine boxes?
+void checkSlotKinds(const Asset& asset, uint32_t stream, uint32_t tile, std::span<const PackedBox> page,
+                    const Reporter& report);
 
 /// Do the pages of a tile agree, of its glossy streams and of its Lambert stream each, on whether their
 /// kernels begin with emitted radiance? (checkBoxes looks inside one page.) Does a file that has any have

@@ -129,7 +129,7 @@ std::vector<PageEntry> writePages(ChunkWriter& writer, const Asset& asset, const
       if (const uint64_t expected = pageBoxCount(asset, stream, tile); boxes.size() != expected)
         report(FindingCode::pageSize, chunk::kPages, place, "{} boxes instead of {}", boxes.size(), expected);
       checkBoxes(boxes, asset.boxesPerKernel(stream, tile), place, report);
-      checkHiddenParts(asset, stream, tile, boxes, report);
+      checkSlotKinds(asset, stream, tile, boxes, report);
       emitted.check(stream, tile, boxes, report);
       index[size_t(stream) * asset.tiles.size() + tile] = writer.addPage(boxes);
     }

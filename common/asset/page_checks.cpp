@@ -14,20 +14,24 @@ using enum FindingCode;
 // sum exactly to their kernel go above it, but not by this much.
 constexpr float kEnergyAlarm = 4.0f;
 
-/// False if it is not finite and non-negative.
+/// False if it is not finite, or negative where no cosine box's amplitude is meant.
 bool readEnergy(const PackedBox& box, Rgb& energy) {
+  const float least = isCosineBox(box) ? -65504.0f : 0.0f;
   bool valid = true;
   for (int c = 0; c < 3; ++c) {
     energy[c] = glm::unpackHalf1x16(box.energy[c]);
-    valid &= energy[c] >= 0.0f && energy[c] <= 65504.0f;
+    valid &= energy[c] >= least && energy[c] <= 65504.0f;
   }
   return valid;
 }
 
-/// Edges of a light box inside the light domain, emitted radiance inside single precision?
+/// Edges of a box inside the light domain, of a cosine box on its raster, emitted radiance inside single
+/// precision?
 bool inRange(const PackedBox& box) {
   if (isHiddenPart(box)) return true;
-  if (!isEmission(box)) return uint32_t(box.v0) + box.dv <= 65535;
+  const uint32_t end = uint32_t(box.v0) + box.dv + 1;
+  if (isCosineBox(box)) return end <= 65536 && box.v0 % kCosineRaster == 0 && end % kCosineRaster == 0;
+  if (!isEmission(box)) return end <= 65536;
   const int exponent = int(box.du) - 32768;
   return exponent >= kMinEmissionExponent && exponent <= kMaxEmissionExponent &&
          maxComponent(unpackEmission(box)) <= std::numeric_limits<float>::max();
@@ -93,7 +97,7 @@ void checkBoxes(std::span<const PackedBox> boxes, uint32_t boxesPerKernel, const
              std::forward<Args>(args)...);
     };
     if (slot == 0) sum = Rgb(0.0f);
-    if (box.kind > kHiddenPart || (slot > 0 && isEmission(box))) bad(boxKind, "kind {}", box.kind);
+    if (box.kind > kCosineBox || (slot > 0 && isEmission(box))) bad(boxKind, "kind {}", box.kind);
     if (slot == 0 && isEmission(box) != isEmission(boxes[0]))
       bad(emittedSlots, "kind {}, the page's first kernel has {}", box.kind, boxes[0].kind);
     if (!inRange(box)) bad(boxRange, "kind {}, v0 {}, dv {}, du {}", box.kind, box.v0, box.dv, box.du);

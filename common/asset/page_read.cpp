@@ -35,7 +35,7 @@ std::vector<PackedBox> readPage(const ChunkFile& file, const LoadedAsset& loaded
     return {};
   }
   checkBoxes(boxes, asset.boxesPerKernel(stream, tile), place, report);
-  checkHiddenParts(asset, stream, tile, boxes, report);
+  checkSlotKinds(asset, stream, tile, boxes, report);
   return boxes;
 }
 

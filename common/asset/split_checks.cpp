@@ -20,8 +20,10 @@ void checkSplit(const Asset& asset, const ChunkSet& present, const Reporter& rep
            schemeName(asset.scheme));
 }
 
-void checkHiddenParts(const Asset& asset, uint32_t stream, uint32_t tile, std::span<const PackedBox> page,
-                      const Reporter& report) {
+void checkSlotKinds(const Asset& asset, uint32_t stream, uint32_t tile, std::span<const PackedBox> page,
+                    const Reporter& report) {
+  if (stream != asset.diffuseStream() && std::any_of(page.begin(), page.end(), isCosineBox))
+    report(boxKind, chunk::kPages, pagePlace(asset, stream, tile), "a cosine box in a glossy kernel");
   const size_t slots = asset.boxesPerKernel(stream, tile);
   uint64_t left = asset.mask(stream, tile);
   for (size_t first = 0; left != 0 && first + slots <= page.size(); first += slots, left &= left - 1) {

@@ -69,6 +69,19 @@ PackedBox packHiddenPart(float part) {
   return packed;
 }
 
+PackedBox packCosineBox(const CosineBox& box) {
+  Box edges = box.box;
+  edges.energy = Rgb(box.amplitude);
+  PackedBox packed = packBox(edges);
+  packed.kind = kCosineBox;
+  return packed;
+}
+
+CosineBox unpackCosineBox(const PackedBox& packed) {
+  const Box box = unpackBox(packed);
+  return {box, box.energy.x};
+}
+
 float unpackHiddenPart(const PackedBox& packed) { return glm::unpackHalf1x16(packed.energy[0]); }
 
 }  // namespace boxlight

@@ -24,6 +24,7 @@ struct Box {
 inline constexpr uint16_t kLightBox = 0;
 inline constexpr uint16_t kEmittedRadiance = 1;  ///< not a box: radiance that does not depend on the light
 inline constexpr uint16_t kHiddenPart = 2;  ///< not a box: how much of a split lobe the kernel stands for
+inline constexpr uint16_t kCosineBox = 3;   ///< of light that reaches a Lambert surface straight
 
 /// A box as it stands in asset pages and in storage buffers: 16 bytes, four little-endian 32-bit words in
 /// GLSL. Normative in docs/format.md, section "Box".
@@ -32,7 +33,7 @@ struct PackedBox {
   uint16_t du = 0,
            dv = 0;  ///< size = (code + 1) / 65536: never zero, and 65535 reaches a full ring or both poles
   uint16_t energy[3] = {0, 0, 0};  ///< IEEE half floats; all zero in an empty box
-  uint16_t kind = 0;               ///< kLightBox, kEmittedRadiance or kHiddenPart
+  uint16_t kind = 0;               ///< kLightBox, kEmittedRadiance, kHiddenPart or kCosineBox
 };
 static_assert(sizeof(PackedBox) == 16);
 
@@ -53,5 +54,21 @@ inline bool isEmission(const PackedBox& packed) { return packed.kind == kEmitted
 PackedBox packHiddenPart(float part);
 float unpackHiddenPart(const PackedBox& packed);
 inline bool isHiddenPart(const PackedBox& packed) { return packed.kind == kHiddenPart; }
+
+/// A part of the light that reaches a Lambert surface of unit normal n straight, for kernels that do not
+/// depend on the view: amplitude * max(n.w, 0) / pi inside the box, zero outside. The whole sphere is the
+/// hemisphere above the surface, what amplitude 1 returns 1 for under a constant light.
+struct CosineBox {
+  Box box;              ///< edges in v are multiples of 1/128; its energy means nothing
+  float amplitude = 0;  ///< of either sign: a box may take away what another has
+
+  bool isWhole() const { return box.du >= 1.0f && box.dv >= 1.0f; }
+};
+
+inline constexpr uint32_t kCosineRaster = 512;  ///< of 65536: what v0 and v0 + dv are multiples of
+
+PackedBox packCosineBox(const CosineBox& box);
+CosineBox unpackCosineBox(const PackedBox& packed);
+inline bool isCosineBox(const PackedBox& packed) { return packed.kind == kCosineBox; }
 
 }  // namespace boxlight

@@ -41,6 +41,23 @@ size_t lastSlot(size_t slots, size_t first, uint32_t maxBoxes) {
   return first + std::min<size_t>(slots - std::min(slots, first), maxBoxes);
 }
 
+void add(const CosineBox& box, dvec3 normal, const SummedArea& lights, double uOffset, DiffuseRadiance& sum) {
+  const double share = double(box.amplitude) / kPiDouble;
+  if (box.isWhole()) {
+    const LightMoments::Hemisphere hemisphere = lights.moments().hemisphere(normal, uOffset);
+    sum.radiance += share * hemisphere.irradiance;
+    sum.gradient += share * hemisphere.moment;
+    return;
+  }
+  const dmat3 moment = lights.moments().integrate(rectangleOf(box.box), uOffset);
+  for (int c = 0; c < 3; ++c) {
+    const double irradiance = glm::dot(normal, moment[c]);
+    if (!(irradiance > 0.0)) continue;  // of light below the horizon
+    sum.radiance[c] += share * irradiance;
+    sum.gradient[c] += share * moment[c];
+  }
+}
+
 /// Mean radiance of the light over a box, times energy: w * (K . L).
 dvec3 light(const Rectangle& rectangle, dvec3 energy, const SummedArea& lights, double uOffset) {
   return energy * lights.integrate(rectangle, uOffset) / rectangle.solidAngle();
@@ -69,6 +86,14 @@ InterpolatedBox interpolateBoxes(const std::array<Box, 3>& boxes, vec3 weight, I
   result.rectangle = {interpolatedStart(boxes, share, du), v0, std::min(du, 1.0), std::min(v1, 1.0) - v0};
   result.energy = interpolation == Interpolation::energy ? energy : boxWeight * result.rectangle.solidAngle();
   return result;
+}
+
+DiffuseRadiance straightRadiance(std::span<const CosineBox> boxes, dvec3 normal, const SummedArea& lights,
+                                 double uOffset) {
+  DiffuseRadiance sum;
+  for (const CosineBox& box : boxes) add(box, normal, lights, uOffset, sum);
+  sum.radiance = glm::max(sum.radiance, dvec3(0.0));
+  return sum;
 }
 
 Relighter::Relighter(const asset::AssetReader& reader)
@@ -103,13 +128,7 @@ std::span<const PackedBox> Relighter::kernel(uint32_t stream, uint32_t record) {
 TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset,
                                  Interpolation interpolation, uint32_t maxBoxes) {
   TexelRadiance radiance;
-  const auto lambert = kernel(asset_.diffuseStream(), record);
-  const size_t first = emissionSlots(lambert), last = lastSlot(lambert.size(), first, maxBoxes);
-  if (first > 0) radiance.diffuse += dvec3(unpackEmission(lambert.front()));
-  for (size_t j = first; j < last; ++j) {
-    const Box box = unpackBox(lambert[j]);
-    radiance.diffuse += light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
-  }
+  radiance.diffuse = diffuse(record, lights, uOffset, maxBoxes).radiance;
   if (asset_.hasCells(record)) return radiance;
   const asset::TexelRecord& texel = asset_.records[record];
   const vec3 normal = toVec3(texel.normal), towards = eye - toVec3(texel.position);
@@ -121,6 +140,31 @@ TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& li
   else
     radiance.glossy = glossy(record, raised, lights, uOffset, interpolation, maxBoxes);
   return radiance;
+}
+
+DiffuseRadiance Relighter::diffuse(uint32_t record, const SummedArea& lights, double uOffset,
+                                   uint32_t maxBoxes) {
+  const auto lambert = kernel(asset_.diffuseStream(), record);
+  const dvec3 normal(toVec3(asset_.records[record].normal));
+  const size_t first = emissionSlots(lambert);
+  std::vector<CosineBox> straight;
+  DiffuseRadiance sum;
+  if (first > 0) sum.radiance = dvec3(unpackEmission(lambert.front()));
+  for (size_t j = first; j < lastSlot(lambert.size(), first, maxBoxes); ++j) {
+    if (isCosineBox(lambert[j])) {
+      straight.push_back(unpackCosineBox(lambert[j]));
+      continue;
+    }
+    const Box box = unpackBox(lambert[j]);
+    const dvec3 radiance = light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
+    const dvec3 direction = meanDirection(box.u0, box.v0, box.du, box.dv);
+    const double cosine = std::max(glm::dot(normal, direction), 0.0);
+    const double floor = kLeastGradientCosine * kLeastGradientCosine;
+    sum.radiance += radiance;
+    sum.gradient += glm::outerProduct(direction * (cosine / std::max(cosine * cosine, floor)), radiance);
+  }
+  const DiffuseRadiance seen = straightRadiance(straight, normal, lights, uOffset);
+  return {sum.radiance + seen.radiance, sum.gradient + seen.gradient};
 }
 
 TexelRadiance Relighter::arriving(uint32_t record, vec3 direction, const SummedArea& lights, double uOffset,
@@ -145,23 +189,6 @@ void Relighter::addHidden(uint32_t record, const ViewBlend& blend, uint32_t firs
       radiance.glossy += weight * light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
     }
   }
-}
-
-dmat3 Relighter::diffuseGradient(uint32_t record, const SummedArea& lights, double uOffset,
-                                 uint32_t maxBoxes) {
-  const auto lambert = kernel(asset_.diffuseStream(), record);
-  const dvec3 normal(toVec3(asset_.records[record].normal));
-  const size_t first = emissionSlots(lambert);
-  dmat3 gradient(0.0);
-  for (size_t j = first; j < lastSlot(lambert.size(), first, maxBoxes); ++j) {
-    const Box box = unpackBox(lambert[j]);
-    const dvec3 radiance = light(rectangleOf(box), dvec3(box.energy), lights, uOffset);
-    const dvec3 direction = meanDirection(box.u0, box.v0, box.du, box.dv);
-    const double cosine = std::max(glm::dot(normal, direction), 0.0);
-    const double floor = kLeastGradientCosine * kLeastGradientCosine;
-    gradient += glm::outerProduct(direction * (cosine / std::max(cosine * cosine, floor)), radiance);
-  }
-  return gradient;
 }
 
 dvec3 Relighter::glossy(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,

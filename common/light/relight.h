@@ -47,6 +47,22 @@ struct TexelRadiance {
   double hidden = 0;  ///< of a split lobe: the part that `glossy` stands for (lobe_clip.h)
 };
 
+/// Diffuse radiance of one side of a texel, and its gradient in the normal n, one column a channel: to first
+/// order it is radiance + gradient^T (n' - (n'.n) n) for a normal n' that a normal map bends inside the
+/// texel.
+struct DiffuseRadiance {
+  dvec3 radiance{0.0};
+  dmat3 gradient{0.0};
+};
+
+/// What cosine boxes return together, not below 0:
+///
+///   D = sum_j a_j max(n . M_j, 0) / pi  per channel,  M_j = int over box j of L w dw ,
+///
+/// and of the whole sphere the irradiance of the hemisphere above n (LightMoments).
+DiffuseRadiance straightRadiance(std::span<const CosineBox> boxes, dvec3 normal, const SummedArea& lights,
+                                 double uOffset = 0.0);
+
 /// Boxes closer to the horizon, and those below it that bounced light comes from, fade out of the gradient.
 inline constexpr double kLeastGradientCosine = 0.1;
 
@@ -75,14 +91,14 @@ class Relighter {
   TexelRadiance arriving(uint32_t record, vec3 direction, const SummedArea& lights, double uOffset = 0.0,
                          uint32_t maxBoxes = ~0u);
 
-  /// How the diffuse radiance of `record` changes with the normal n, one column a channel: to first order it
-  /// is diffuse + G^T (n' - (n'.n) n) for a normal n' that a normal map bends inside the texel. A box's light
-  /// is taken as coming from its mean direction d; its cosine factor n.d is divided out and n'.d multiplied
-  /// in:
-  ///   G = sum_j energy_j L_j (n.d_j) d_j / max((n.d_j)^2, kLeastGradientCosine^2)  over boxes with n.d_j >
-  ///   0.
-  dmat3 diffuseGradient(uint32_t record, const SummedArea& lights, double uOffset = 0.0,
-                        uint32_t maxBoxes = ~0u);
+  /// The diffuse part of relight(), and how it changes with the normal: what cosine boxes return is the
+  /// normal times a moment of the light, which is its gradient; a light box's light is taken as coming from
+  /// its mean direction d, whose cosine n.d is divided out and n'.d multiplied in:
+  ///   G = sum_j a_j int over box j of L w dw / pi
+  ///     + sum_j energy_j L_j (n.d_j) d_j / max((n.d_j)^2, kLeastGradientCosine^2)  over boxes with n.d_j >
+  ///     0.
+  DiffuseRadiance diffuse(uint32_t record, const SummedArea& lights, double uOffset = 0.0,
+                          uint32_t maxBoxes = ~0u);
 
   /// The boxes of one kernel in slot order; empty if the record has none in this stream.
   std::span<const PackedBox> kernel(uint32_t stream, uint32_t record);

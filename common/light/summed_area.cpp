@@ -36,7 +36,8 @@ std::array<Span, 3> cut(double a, double b, uint32_t lastTexel, const Share& sha
 SummedArea::SummedArea(const Image& lightMap)
     : width_(lightMap.width),
       height_(lightMap.height),
-      sums_(size_t(width_ + 1) * (height_ + 1), dvec3(0.0)) {
+      sums_(size_t(width_ + 1) * (height_ + 1), dvec3(0.0)),
+      moments_(lightMap) {
   assert(lightMap.channels == 3 && width_ > 0 && height_ > 0);
   using Sum = glm::vec<3, long double>;  // the sums of a dark texel beside a sun need the digits
   const std::vector<double> solidAngles = texelSolidAngles(width_, height_);

@@ -5,6 +5,7 @@
 
 #include "common/image/image.h"
 #include "common/light/box.h"
+#include "common/light/light_moments.h"
 
 namespace boxlight {
 
@@ -28,6 +29,9 @@ class SummedArea {
   dvec3 integrate(const Rectangle& rectangle, double uOffset = 0.0) const;
   dvec3 integrate(const Box& box, double uOffset) const { return integrate(rectangleOf(box), uOffset); }
 
+  /// Integrals of the same light times its direction.
+  const LightMoments& moments() const { return moments_; }
+
   uint32_t width() const { return width_; }
   uint32_t height() const { return height_; }
 
@@ -40,6 +44,7 @@ class SummedArea {
   uint32_t width_, height_;
   std::vector<dvec3>
       sums_;  // [(height + 1) x (width + 1)]: integral over everything above and left of a lattice point
+  LightMoments moments_;
 };
 
 }  // namespace boxlight

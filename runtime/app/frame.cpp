@@ -41,6 +41,7 @@ struct FrameRenderer::Parts {
   void set(const FrameSettings& chosen, const Image* environment);
   void setLight(const FrameSettings& before, const Image* environment);
   void showLight();
+  LightSettings lightSettings() const;
   SurfaceConstants makeConstants() const;
   void fitTiles();
   void uploadConstants();
@@ -99,8 +100,12 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& assetReader, 
   if (blended) layers.emplace(gpu, bindings, reader.asset(), constants, tileSamples, settings.layerLimit);
   if (hasSplitLobes(reader.asset())) maps.emplace(gpu, bindings, reader.asset());
   bindings.set(kBindFrame, frame);
-  light.emplace(device, environment, settings.environmentTilt,
-                LightSettings{settings.lightSize, settings.satScheme});
+  light.emplace(device, environment, settings.environmentTilt, lightSettings());
+}
+
+LightSettings FrameRenderer::Parts::lightSettings() const {
+  return {
+      .size = settings.lightSize, .scheme = settings.satScheme, .moments = hasLambertKernels(reader.asset())};
 }
 
 SurfaceConstants FrameRenderer::Parts::makeConstants() const {
@@ -116,8 +121,7 @@ void FrameRenderer::Parts::setLight(const FrameSettings& before, const Image* en
   const bool otherTable = settings.lightSize != before.lightSize || settings.satScheme != before.satScheme;
   if (otherTable) {
     assert(environment);
-    light.emplace(device, *environment, settings.environmentTilt,
-                  LightSettings{settings.lightSize, settings.satScheme});
+    light.emplace(device, *environment, settings.environmentTilt, lightSettings());
   } else {
     if (environment) light->setEnvironment(*environment);
     light->setTilt(settings.environmentTilt);
@@ -137,6 +141,7 @@ void FrameRenderer::Parts::showLight() {
       counts.lightMilliseconds += time.milliseconds;
     light->show();
     bindings.set(kBindSummedArea, light->table());
+    if (hasLambertKernels(reader.asset())) bindings.set(kBindMoments, light->moments());
     bindings.set(kBindBackground, light->image());
   }
   uploadConstants();

@@ -12,6 +12,7 @@ constexpr uint32_t kMaxTileSamples = 4096;  // each way: 128 MiB of visibility a
 void setLight(FrameConstants& frame, const FrameSettings& settings, const Light& light) {
   frame.lightSize = light.size();
   frame.lightUnit = light.unit() * settings.environmentIntensity;
+  frame.momentUnit = light.momentUnit() * settings.environmentIntensity;
   frame.lightOffset = environmentOffset(settings.environmentDegrees);
   frame.backgroundSize = light.imageSize();
   const glm::mat3 turned(worldToEnvironment(settings.environmentTilt, settings.environmentDegrees));

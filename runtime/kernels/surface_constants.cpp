@@ -29,6 +29,11 @@ bool isGlossy(const asset::Asset& asset) {
                      [](const asset::Tile& tile) { return tile.glossyBoxes > 0; });
 }
 
+bool hasLambertKernels(const asset::Asset& asset) {
+  return std::any_of(asset.tiles.begin(), asset.tiles.end(),
+                     [](const asset::Tile& tile) { return tile.diffuseBoxes > 0; });
+}
+
 bool isBlended(const asset::Asset& asset) { return hasFlag(asset, asset::kAlphaBlend); }
 
 bool isNormalMapped(const asset::Asset& asset) {
@@ -64,6 +69,7 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
   constants[kConstantLayers] = layers;
   constants[kConstantNormalMapped] = isNormalMapped(asset);
   constants[kConstantSplit] = hasSplitLobes(asset);
+  constants[kConstantLambert] = hasLambertKernels(asset);
   constants[kConstantCells] = hasDirectionCells(asset);
   return constants;
 }

@@ -10,6 +10,8 @@ namespace boxlight::gpu {
 
 /// Has any kernel of the asset glossy boxes?
 bool isGlossy(const asset::Asset& asset);
+/// Has any record a Lambert kernel? Only those ask for the light's moments.
+bool hasLambertKernels(const asset::Asset& asset);
 /// Has any material alpha that is coverage?
 bool isBlended(const asset::Asset& asset);
 /// Does a normal map bend any material's base layer?

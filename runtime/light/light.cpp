@@ -31,6 +31,7 @@ Light::Light(Device& device, const Image& environment, EnvironmentTilt tilt, con
       bindings_(device),
       map_(device, bindings_, settings.size),
       table_(device, bindings_, settings.size, settings.scheme, settings.build) {
+  if (settings.moments) moments_.emplace(device, bindings_, settings.size);
   map_.setImage(device, bindings_, image_);
   prepare();
 }
@@ -53,16 +54,19 @@ void Light::prepare() {
   const FixedPoint fixedPoint = chooseFixedPoint(total, settings_.size, settings_.scheme);
   nextUnit_ = fixedPoint.unit;
   table_.setFixedPoint(device_, bindings_, fixedPoint);
+  if (moments_) moments_->setTotal(device_, bindings_, total);
   needsBuild_ = true;
 }
 
 void Light::build(Commands& commands) const {
   map_.make(commands);
   table_.build(commands);
+  if (moments_) moments_->build(commands);
 }
 
 void Light::show() {
   table_.flip();
+  if (moments_) moments_->flip();
   unit_ = nextUnit_;
   needsBuild_ = false;
 }

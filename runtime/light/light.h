@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "runtime/light/light_map_pass.h"
 #include "runtime/light/light_table.h"
+#include "runtime/light/moment_pass.h"
 
 namespace boxlight::gpu {
 
@@ -10,11 +13,12 @@ struct LightSettings {
   uvec2 size{512, 256};  ///< of the light map
   SatScheme scheme = SatScheme::compact;
   SatBuild build = SatBuild::automatic;
+  bool moments = false;  ///< for cosine boxes
 };
 
-/// A distant light on the device: environment -> light map -> summed-area table. A rotation about +Y and an
-/// intensity are the reader's own (an offset and a factor) and cost nothing; another image or tilt asks for a
-/// build, into a table that nobody reads yet.
+/// A distant light on the device: environment -> light map -> summed-area table, and moments. A rotation
+/// about +Y and an intensity are the reader's own (an offset and a factor) and cost nothing; another image or
+/// tilt asks for a build, into a table that nobody reads yet.
 class Light {
  public:
   /// `environment`: from readEnvironment. What the device cannot hold of it is averaged away, with a warning.
@@ -30,6 +34,9 @@ class Light {
   const Buffer& table() const { return table_.shown(); }
   float unit() const { return unit_; }           ///< of the table: radiance times steradian
   uvec2 size() const { return settings_.size; }  ///< of the light map
+  /// Only with LightSettings::moments.
+  const Buffer& moments() const { return moments_->shown(); }
+  float momentUnit() const { return moments_ ? moments_->unit() : 0.0f; }
   const Buffer& image() const { return map_.image(); }
   uvec2 imageSize() const { return {image_.width, image_.height}; }
   const Buffer& map() const { return map_.map(); }
@@ -44,6 +51,7 @@ class Light {
   Bindings bindings_;
   LightMapPass map_;
   LightTable table_;
+  std::optional<MomentPass> moments_;
   float unit_ = 1, nextUnit_ = 1;
   bool needsBuild_ = false;
 };

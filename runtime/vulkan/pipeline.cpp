@@ -16,10 +16,11 @@ struct TexelTwin {
   uint64_t texelBytes;
 };
 
-constexpr std::array<TexelTwin, 3> kTexelTwins = {
+constexpr std::array<TexelTwin, 4> kTexelTwins = {
     {{kBindTables, kBindTableTexels, vk::Format::eR32Sfloat, 4},
      {kBindSummedArea, kBindLightTexels, vk::Format::eR32G32B32A32Uint, 16},
-     {kBindVisibilityMaps, kBindMapTexels, vk::Format::eR32Uint, 4}}};
+     {kBindVisibilityMaps, kBindMapTexels, vk::Format::eR32Uint, 4},
+     {kBindMoments, kBindMomentTexels, vk::Format::eR32G32B32A32Uint, 16}}};
 
 std::vector<vk::DescriptorSetLayoutBinding> makeSlots() {
   std::vector<vk::DescriptorSetLayoutBinding> slots;

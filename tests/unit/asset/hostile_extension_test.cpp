@@ -52,7 +52,7 @@ const std::vector<Case> kCases = {
      [](Surgeon& s) {
        s.setChunk(chunk::kTextureTransforms, Bytes((kMaxTextureTransforms + 1) * sizeof(TextureTransform)));
      }},
-    {"unknownKind", boxKind, inBox(kBoxPage, 0, [](auto& b) { b.kind = 3; })},
+    {"unknownKind", boxKind, inBox(kBoxPage, 0, [](auto& b) { b.kind = 4; })},
     {"emittedInSlot1", boxKind, inBox(kLambertPage, 1, [](auto& b) { b = packEmission(Rgb(1.0f)); })},
     {"oneKernelEmitted", emittedSlots, inBox(kBoxPage, 3, [](auto& b) { b = packEmission(Rgb(1.0f)); })},
     {"oneViewNotEmitted", emittedSlots, inBox(kEmittedView1, 0, [](auto& b) { b = PackedBox(); })},

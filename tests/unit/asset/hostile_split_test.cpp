@@ -73,7 +73,7 @@ const std::vector<Case> kHiddenCases = {
     {"hiddenInfinite", boxEnergy, inHidden(0, 0x7C00), kSplit},
     {"hiddenNan", boxEnergy, inHidden(0, 0x7E00), kSplit},
     {"hiddenNanInG", boxEnergy, inHidden(1, 0x7E00), kSplit},
-    {"unknownKindInSlot0", boxKind, inBox(kPage, 3, [](PackedBox& b) { b.kind = 3; }), kSplit},
+    {"unknownKindInSlot0", boxKind, inBox(kPage, 3, [](PackedBox& b) { b.kind = 4; }), kSplit},
 };
 
 const std::vector<Case> kHarmless = {

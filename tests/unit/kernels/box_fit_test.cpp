@@ -172,25 +172,5 @@ TEST(BoxFit, AFitDoesNotDependOnEarlierOnes) {
   }
 }
 
-TEST(BoxFit, StratifiedPathsHaveLessVariance) {
-  EXPECT_FLOAT_EQ(stratifiedPart(16), 1.0f);
-  EXPECT_FLOAT_EQ(stratifiedPart(64), 1.0f);
-  EXPECT_FLOAT_EQ(stratifiedPart(1024), 0.25f);
-  EXPECT_FLOAT_EQ(stratifiedPart(16384), 0.0625f);
-}
-
-/// Only what went straight to the light is taken as stratified, and only where the paths are.
-TEST(BoxFit, StraightDepositsOfStratifiedPathsAreWorthMoreBoxes) {
-  lab::Random random(5);
-  std::vector<Deposit> deposits = lab::cosineDeposits(glm::normalize(vec3(0.3f, 0.8f, -0.4f)), 4096, random);
-  const FitOptions options{.boxes = 32, .gridSize = 64},
-      stratified{.boxes = 32, .gridSize = 64, .stratified = true};
-  const size_t independent = fit(deposits, options).size();
-  EXPECT_EQ(fit(deposits, stratified).size(), independent);
-  for (Deposit& deposit : deposits) deposit.straight = true;
-  EXPECT_EQ(fit(deposits, options).size(), independent);
-  EXPECT_GE(fit(deposits, stratified).size(), independent + 8);
-}
-
 }  // namespace
 }  // namespace boxlight

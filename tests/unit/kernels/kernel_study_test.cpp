@@ -71,11 +71,14 @@ TEST_P(KernelStudyTest, BoxesAreThoseOfTheWholeBake) {
     const auto slots = stored(baked, lambert ? baked.asset.diffuseStream() : first + stream, record);
     if (slots.empty()) continue;
     const KernelStudy found = study({texel, false, lambert ? std::nullopt : std::optional(stream)});
-    size_t next = 0;
+    size_t next = 0, nextCosine = 0;
     for (const PackedBox& slot : slots) {
       const Box box = unpackBox(slot);
       if (isHiddenPart(slot)) {
         EXPECT_EQ(found.hiddenPart, unpackHiddenPart(slot));
+      } else if (isCosineBox(slot)) {
+        ASSERT_LT(nextCosine, found.cosineBoxes.size());
+        EXPECT_EQ(found.cosineBoxes[nextCosine++].amplitude, unpackCosineBox(slot).amplitude);
       } else if (maxComponent(box.energy) > 0.0f) {
         ASSERT_LT(next, found.boxes.size());
         EXPECT_EQ(found.boxes[next].u0, box.u0);
@@ -83,15 +86,20 @@ TEST_P(KernelStudyTest, BoxesAreThoseOfTheWholeBake) {
       }
     }
     EXPECT_EQ(next, found.boxes.size());
-    compared += next;
+    EXPECT_EQ(nextCosine, found.cosineBoxes.size());
+    compared += next + nextCosine;
   }
   EXPECT_GT(compared, 50u);
 }
 
 TEST_P(KernelStudyTest, DepositsAreWhatTheBoxesWereFittedTo) {
   const KernelStudy found = study({{1, 5}, false, std::nullopt});
-  BoxFitter fitter(lambertFit(options_.lambertBoxes()));
-  const auto again = fitter.fit(found.deposits, found.traced, int(options_.lambertBoxes()));
+  ASSERT_GT(found.cosineBoxes.size(), 1u);
+  std::vector<Deposit> bounced = found.deposits;
+  std::erase_if(bounced, [](const Deposit& deposit) { return deposit.straight; });
+  BoxFitter fitter({.boxes = 64});
+  const auto again =
+      fitter.fit(bounced, found.traced, int(options_.lambertBoxes() - found.cosineBoxes.size()));
   ASSERT_EQ(again.size(), found.boxes.size());
   for (size_t j = 0; j < again.size(); ++j)
     EXPECT_EQ(unpackBox(packBox(again[j])).energy, found.boxes[j].energy) << j;
@@ -114,13 +122,14 @@ TEST_P(KernelStudyTest, DrawsAndPrintsEveryBox) {
   };
   const std::string svg = drawKernel(found);
   EXPECT_EQ(count(svg, "<circle"), found.deposits.size());
-  EXPECT_GE(count(svg, "<rect"), found.boxes.size() + 1);
+  EXPECT_GE(count(svg, "<rect"), found.boxes.size() + found.cosineBoxes.size() + 1);
   EXPECT_EQ(count(svg, "id=\"hidden\""), found.visibility ? 1u : 0u);
   const auto json = kernelToJson(found);
   EXPECT_EQ(json["boxes"].size(), found.boxes.size());
+  EXPECT_EQ(json["cosineBoxes"].size(), found.cosineBoxes.size());
   EXPECT_EQ(json["record"]["split"], GetParam() != asset::Scheme::sketch);
   EXPECT_EQ(json["record"]["cells"], hasCells());
-  EXPECT_EQ(count(kernelToText(found), "\n"), 5 + found.boxes.size() + 14);
+  EXPECT_EQ(count(kernelToText(found), "\n"), 7 + found.cosineBoxes.size() + found.boxes.size() + 14);
 }
 
 TEST_P(KernelStudyTest, SaysWhatThereIsInstead) {

@@ -289,7 +289,7 @@ TEST(Relight, GradientFollowsTheCosineLaw) {
   test.put(92, 0, {high, low});  // the second lies below the horizon
   test.finish(1, 2);
   Relighter relighter(test.asset, test.provider());
-  const dmat3 gradient = relighter.diffuseGradient(0, constantLight(2.0f));
+  const dmat3 gradient = relighter.diffuse(0, constantLight(2.0f)).gradient;
   const dvec3 d = meanDirection(high.u0, high.v0, high.du, high.dv), n(0, 1, 0);
   const dvec3 bent = glm::normalize(dvec3(0.3, 1, -0.2)), change = bent - glm::dot(bent, n) * n;
   for (int c = 0; c < 3; ++c) {

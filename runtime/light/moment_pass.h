@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "runtime/vulkan/commands.h"
+
+namespace boxlight::gpu {
+
+/// The moments of the light, int L w dw, as the shading pass reads them for cosine boxes: prefix sums on the
+/// lattice of kMomentSize and the hemispheres above a grid of normals (shaders/shared.h: kMomentColumns),
+/// made on the device from the light map. The sums are of integers, the same on every device; a row is off by
+/// one unit at most. There are two tables: one is read while the other is built.
+class MomentPass {
+ public:
+  /// `bindings`: of the light's passes; the light map, of `mapSize`, is bound there.
+  MomentPass(Device& device, Bindings& bindings, uvec2 mapSize);
+
+  /// Of the light to build: radiance times steradian of its strongest channel over the whole sphere.
+  void setTotal(Device& device, Bindings& bindings, double total);
+  void build(Commands& commands) const;
+  /// After the build has run: shows what was built.
+  void flip();
+  const Buffer& shown() const { return tables_[shown_]; }
+  float unit() const { return unit_; }  ///< of the table that is shown: radiance times steradian
+
+ private:
+  uvec2 mapSize_;
+  uint32_t rowShares_ = 0, shown_ = 0;
+  float unit_ = 1, nextUnit_ = 1;
+  Buffer constants_, covers_, weights_, texels_, cells_;
+  std::vector<Buffer> tables_;
+  ComputePipeline moments_, rows_, columns_, cellSums_, nodes_;
+};
+
+}  // namespace boxlight::gpu
