@@ -105,7 +105,8 @@ void TexelBaker::bakeSplit(const PathOrigin& origin, const GlossyKernels& kernel
   for (uint32_t view = 0; view < sphere_.viewCount(); ++view) {
     if (!stored[view]) continue;
     traceView(origin, view, kernels, result);
-    if (!(paths_.hidden > 0.0)) continue;
+    const bool isDark = !(maxComponent(paths_.emission()) > 0.0f);
+    if (isDark && paths_.hiddenPart() < KernelOptions::kLeastHiddenPart) continue;
     paths_.removeMirrored();
     result.glossy[view] = hiddenKernel(kernels.slots);
   }

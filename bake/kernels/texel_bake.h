@@ -29,16 +29,23 @@ struct KernelOptions {
   uint32_t glossyBoxes(uint32_t lobes) const {
     return std::min(std::min(lobes, 2u) * boxes, kMaxFittedBoxes);
   }
-  /// Slots of a split kernel: its hidden part, half the boxes for it, since the direct light takes none, and
-  /// those of whole lobes.
-  uint32_t splitSlots(uint32_t whole) const {
-    return 1 + std::min((boxes + 1) / 2 + std::min(whole, 2u) * boxes, kMaxFittedBoxes - 1);
+  /// For what surfaces send into a lobe whose direct light takes no boxes: three eighths at a view, half in a
+  /// direction cell, whose sharpness is what it is stored for (docs/decisions/006-split-lobes.md).
+  uint32_t hiddenBoxes(bool inCells) const { return inCells ? (boxes + 1) / 2 : (3 * boxes + 7) / 8; }
+  /// Slots of a split kernel: its hidden part, the boxes for it, and those of whole lobes.
+  uint32_t splitSlots(const RecordPlan& plan) const {
+    const uint32_t whole = std::min(plan.unmirrored, 2u) * boxes;
+    return 1 + std::min(hiddenBoxes(plan.hasCells()) + whole, kMaxFittedBoxes - 1);
   }
   uint32_t glossySlots(const RecordPlan& plan) const {
-    return plan.isSplit() ? splitSlots(plan.unmirrored) : glossyBoxes(plan.glossyLobes);
+    return plan.isSplit() ? splitSlots(plan) : glossyBoxes(plan.glossyLobes);
   }
 
   static constexpr uint32_t kMaxFittedBoxes = 64;
+  /// Of a view's lobe: a hidden part below it has no kernel, unless an emitter is seen there. The pixel shows
+  /// what the views around say of their hidden parts, or else the rest of the lobe (docs/theory.md, section
+  /// 5).
+  static constexpr float kLeastHiddenPart = 1.0f / 64;
 };
 
 /// How a Lambert kernel is fitted: at most five eighths of its boxes stand for the light that arrives

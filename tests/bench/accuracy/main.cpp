@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--texels", options.measure.subjects.texels, "Texels of every class")->capture_default_str();
   app.add_option("--boxes", options.measure.boxes, "Boxes of a kernel")->capture_default_str();
+  app.add_flag("--split-alone", options.measure.splitAlone, "Between the views: no scheme but split");
   app.add_option("--reference-paths", options.measure.referencePaths)->capture_default_str();
   app.add_option("--clean-paths", options.measure.cleanPaths)->capture_default_str();
   app.add_option("--rotations", options.probe.rotations, "of every image")->capture_default_str();

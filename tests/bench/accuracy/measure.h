@@ -23,6 +23,7 @@ struct MeasureOptions {
   SubjectOptions subjects;
   uint32_t referencePaths = 1 << 17, cleanPaths = 1 << 15, paths = 1024;
   std::vector<uint32_t> boxes{1, 2, 4, 8, 16, 32, 64};
+  bool splitAlone = false;  ///< between the views, of all schemes
 };
 
 /// Kernels as they are at the views themselves.

@@ -124,16 +124,27 @@ void tryDirect(const KernelPaths& paths, const std::vector<ProbeLight>& lights, 
   sample.trials.push_back({about, boxes.relight(paths)});
 }
 
+/// With as many boxes for what is hidden as a bake has, and with others.
 void trySplit(const LabScene& scene, const Subject& subject, vec3 direction,
               const std::vector<ProbeLight>& lights, Row about, Sample& sample) {
-  const SplitOptions options{.paths = about.paths};
-  about.method = "split", about.terms = kLobeBoxes;
-  sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
+  about.terms = kLobeBoxes;
+  const auto add = [&](std::string method, const SplitOptions& options) {
+    about.method = std::move(method);
+    sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
+  };
+  add("split", {.paths = about.paths});
+  for (const uint32_t boxes : {1u, 2u, 4u})
+    add(fmt::format("split, {} hidden", boxes), {.hiddenBoxes = boxes, .paths = about.paths});
+}
+
+void tryCells(const LabScene& scene, const Subject& subject, vec3 direction,
+              const std::vector<ProbeLight>& lights, Row about, Sample& sample) {
+  SplitOptions options{.hiddenBoxes = KernelOptions{}.hiddenBoxes(true), .paths = about.paths};
+  about.terms = kLobeBoxes;
   for (const uint32_t frequency : {3u, 4u, 6u, 8u}) {
-    SplitOptions inCells = options;
-    inCells.cells = frequency;
+    options.cells = frequency;
     about.method = fmt::format("cells, {} directions", 10 * frequency * frequency + 2);
-    sample.trials.push_back({about, SplitTexel(scene, subject, inCells).relight(direction, lights)});
+    sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
   }
 }
 
@@ -156,7 +167,9 @@ std::vector<Row> measureBetween(const LabScene& scene, Gloss gloss, const std::v
     scene.trace(subjects[subject], gloss, direction, 0x40000u + uint32_t(i), options.paths, paths);
     tryDirect(paths, lights, about, samples[i]);
     trySplit(scene, subjects[subject], direction, lights, about, samples[i]);
+    if (!options.splitAlone) tryCells(scene, subjects[subject], direction, lights, about, samples[i]);
   });
+  if (options.splitAlone) return tally(samples, lights);
   for (const uint32_t boxes : options.boxes) {
     const Baked baked = bake(scene, subjects, boxes, options.paths);
     Schemes schemes(scene, baked, lights, about);

@@ -88,7 +88,9 @@ SplitTexel::Stored SplitTexel::viewsAround(vec3 direction) {
   const ViewBlend blend = scene_.sphere().locate(direction);
   Stored sum;
   for (int k = 0; k < 3; ++k) {
-    sum.part += double(blend.weight[k]) * hiddenPart(scene_.sphere().directions()[blend.view[k]]);
+    const double part = hiddenPart(scene_.sphere().directions()[blend.view[k]]);
+    if (part < double(KernelOptions::kLeastHiddenPart)) continue;
+    sum.part += double(blend.weight[k]) * part;
     for (Box box : hidden(blend.view[k])) {
       box.energy *= blend.weight[k];
       sum.boxes.push_back(box);

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "bake/kernels/texel_bake.h"
 #include "common/light/lobe_clip.h"
 #include "tests/bench/accuracy/lab_scene.h"
 
@@ -12,10 +13,11 @@ namespace boxlight::accuracy {
 /// arrives from hidden directions, stored for the views:
 ///   L = sum_j (e_j f_j) mean of the light over the visible part of box j
 ///     + H(wo) sum_k b_k I_k / sum_k b_k H_k,   H = sum_j e_j (1 - f_j),
-/// f_j the visible part of box j's solid angle, k the three nearest views, b_k their barycentric weights. The
-/// lobe is that of several points of the texel, in turn, as pixels shade their own.
+/// f_j the visible part of box j's solid angle, k the three nearest views, b_k their barycentric weights;
+/// views with H_k below KernelOptions::kLeastHiddenPart store nothing. The lobe is that of several points of
+/// the texel, in turn, as pixels shade their own.
 struct SplitOptions {
-  uint32_t hiddenBoxes = 4;
+  uint32_t hiddenBoxes = KernelOptions{}.hiddenBoxes(false);
   uint32_t pixels = 16;  ///< points of the texel that shade their own lobe
   uint32_t paths = 1024;
   uint32_t cells = 0;  ///< frequency of the geodesic sphere of direction cells; 0: hidden parts of the views

@@ -117,8 +117,9 @@ TEST_P(ViewContinuityTest, AcrossEdgesAndOverVertices) {
         if (glm::dot(a, normal) < 0.1f || glm::dot(b, normal) < 0.1f) continue;
         Sweep sweep(lights, light_, r, record, {a, b});
         sweep.find();
-        // A quarter of a thousandth of a degree is left of the step.
-        EXPECT_LT(sweep.jump, 0.005 * sweep.mean + 1e-6)
+        // A quarter of a thousandth of a degree is left of the step. An arc may have light at one end alone:
+        // the slope there is no matter of the mean.
+        EXPECT_LT(sweep.jump, 0.005 * (sweep.mean + 1e-3))
             << "record " << r << ", from view " << w << " over " << v;
         lit += sweep.mean > 1e-3;
       }
