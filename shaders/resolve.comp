@@ -17,6 +17,7 @@ layout(std430, binding = kBindPicture) writeonly buffer Picture { vec4 picture[]
 /// factor, and with the hidden parts of them whatever other lobes there are.
 vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
   vec3 radiance = vec3(0.0), total = factors.glossy, towards = vec3(0.0);
+  if (kFilm) total += factors.filmed;
   for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) total -= factors.reflected[l];
   float hidden = strength(total);
   for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) {
@@ -30,13 +31,18 @@ vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
     total += factor;
   }
   total = max(total, 1e-30);
+  // What kernels are divided by: of a film another colour than the gloss.
+  bool filmed = kFilm && factors.lobe[0].filmed;
+  vec3 divisor = filmed ? max(factors.glossy, kLeastGloss) : total;
+  float own = filmed ? max(strength(total / divisor), kLeastGloss) : 1.0;
   vec4 stored = seen.hidden;
   if (kCells) {
     bool hides = dot(towards, towards) > 0.0;  // and not only unmirrored lobes
     if (!hides) seen.cells.count = 0;
-    stored += arrivingFrom(hides ? normalize(towards) : vec3(0.0, 1.0, 0.0), seen.cells);
+    vec4 arriving = arrivingFrom(hides ? normalize(towards) : vec3(0.0, 1.0, 0.0), seen.cells);
+    stored += filmed ? arriving * vec4(total / divisor, own) : arriving;
   }
-  return total * splitRadiance(radiance / total, clamp(hidden / strength(total), 0.0, 1.0), stored);
+  return divisor * splitRadiance(radiance / divisor, clamp(hidden / strength(total), 0.0, 1.0), own, stored);
 }
 
 vec3 glossyRadiance(FilteredRadiance seen, Reflectance factors) {

@@ -115,6 +115,8 @@ vec3 localView(const GgxLobe& lobe) {
           glm::dot(lobe.view, lobe.normal)};
 }
 
+constexpr float kLeastFilmed = 1e-3f;  ///< what reflects nothing has no shape
+
 struct Reflection {
   vec3 light{0.0f};   ///< local; 0 if it is below the horizon
   dvec3 energy{0.0};  ///< F G2 / G1
@@ -126,7 +128,8 @@ Reflection reflect(const GgxLobe& lobe, vec3 view, vec2 random) {
   if (!(light.z > 0)) return {};
   const float masking = ggx::masking(view, lobe.alpha);
   const float weight = ggx::visibility(light, view, lobe.alpha) * 4 * light.z * view.z / masking;
-  const Rgb fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * ggx::schlickWeight(glm::dot(view, half));
+  Rgb fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * ggx::schlickWeight(glm::dot(view, half));
+  if (lobe.filmed) fresnel = glm::clamp(fresnel, kLeastFilmed, 1.0f);
   return {light, dvec3(weight * fresnel)};
 }
 

@@ -75,6 +75,23 @@ Finish velvet() {
   return finish;
 }
 
+Finish filmedMetal(float roughness) {
+  Finish finish = metal(roughness);
+  std::fill_n(finish.material.baseColor, 3, 0.35f);
+  finish.extension.iridescence = 1;
+  finish.extension.iridescenceIor = 1.8f;
+  finish.extension.iridescenceThickness[1] = 480;
+  return finish;
+}
+
+Finish filmedVarnish(float roughness) {
+  Finish finish = varnish(roughness);
+  finish.extension.iridescence = 0.9f;
+  finish.extension.iridescenceIor = 1.3f;
+  finish.extension.iridescenceThickness[1] = 400;
+  return finish;
+}
+
 Finish frosted() {
   Finish finish = varnish(0.5f);
   finish.extension.transmission = 0.7f;

@@ -29,5 +29,7 @@ Finish varnish(float roughness);
 Finish coated(float roughness);  ///< two lobes of the pixel's own, one over the other
 Finish velvet();                 ///< beside the pixel's lobe there is one that kernels hold whole
 Finish frosted();
+Finish filmedMetal(float roughness);    ///< whose film is nearly black in red where it grazes
+Finish filmedVarnish(float roughness);  ///< with a part of the film only
 
 }  // namespace boxlight
