@@ -13,6 +13,8 @@ layout(constant_id = kConstantBackground) const bool kBackground = true;
 layout(local_size_x = kPixelGroup, local_size_y = kPixelGroup) in;
 layout(std430, binding = kBindPicture) writeonly buffer Picture { vec4 picture[]; };
 
+const float kLeastDivisor = 0.75;  // of the gloss: of a rough film glossy is nearly 0 in one channel where the lobe's mean is not
+
 /// Radiance by way of the view-dependent lobes: those of the pixel's own that microfacets reflect, each times its part of the
 /// factor, and with the hidden parts of them whatever other lobes there are.
 vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
@@ -33,7 +35,7 @@ vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
   total = max(total, 1e-30);
   // What kernels are divided by: of a film another colour than the gloss.
   bool filmed = kFilm && factors.lobe[0].filmed;
-  vec3 divisor = filmed ? max(factors.glossy, kLeastGloss) : total;
+  vec3 divisor = filmed ? max(max(factors.glossy, kLeastDivisor * total), kLeastGloss) : total;
   float own = filmed ? max(strength(total / divisor), kLeastGloss) : 1.0;
   vec4 stored = seen.hidden;
   if (kCells) {

@@ -187,7 +187,8 @@ class SplitTest : public GpuTest {
 
   /// Kernels of views are divided by another colour than that of the pixel's lobes; what arrives by direction
   /// cells has none.
-  dvec3 underFilm(dvec3 divisor, dvec3 total, dvec3 direct, double part, TexelRadiance sent) const {
+  dvec3 underFilm(dvec3 glossy, dvec3 total, dvec3 direct, double part, TexelRadiance sent) const {
+    const dvec3 divisor = glm::max(glossy, 0.75 * total);
     const dvec3 quotient = total / divisor;
     const double own = double(luminance(Rgb(quotient)));
     if (square_.directionCells > 0) sent.glossy *= quotient, sent.hidden *= own;
