@@ -70,7 +70,8 @@ void fitFilm(inout GgxLobe lobe, Surface surface, Film film) {
 void reflectFilm(inout Reflectance result, Surface surface, Film film, BaseLayer base) {
   fitFilm(result.lobe[0], surface, film);
   GgxLobe lobe = result.lobe[0];
-  vec3 own = clamp(lobe.f0 * base.albedo.x + lobe.f90 * base.albedo.y, 0.0, base.albedo.x + base.albedo.y);
+  float whole = base.albedo.x + base.albedo.y;
+  vec3 own = clamp(lobe.f0 * base.albedo.x + lobe.f90 * base.albedo.y, kLeastFilmed * whole, whole);
   if (lobe.albedo != vec3(0.0)) result.lobe[0].albedo = own;
   vec3 assumed = result.reflected[0];
   result.reflected[0] *= own / max(base.reflected, kLeastGloss);

@@ -35,7 +35,7 @@ vec3 sampleVisibleNormal(vec3 view, vec2 alpha, vec2 around, float left) {
   return normalize(vec3(alpha * tangential, height));
 }
 
-const float kLeastFilmed = 1e-3;  // lobe_boxes.cpp
+const float kLeastFilmed = 1e-3;  // lobe_boxes.h
 
 /// F G2 / G1 of the reflection by a half vector drawn among those that the view sees.
 vec3 reflectionWeight(GgxLobe lobe, vec3 light, vec3 halfVector) {

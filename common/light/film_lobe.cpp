@@ -42,7 +42,8 @@ void fitFresnel(GgxLobe& lobe, const std::function<Rgb(float)>& fresnel) {
 }
 
 Rgb filmedAlbedo(const GgxLobe& lobe, vec2 albedo) {
-  return glm::clamp(lobe.f0 * albedo.x + lobe.f90 * albedo.y, 0.0f, albedo.x + albedo.y);
+  const float whole = albedo.x + albedo.y;
+  return glm::clamp(lobe.f0 * albedo.x + lobe.f90 * albedo.y, kLeastFilmed * whole, whole);
 }
 
 }  // namespace boxlight

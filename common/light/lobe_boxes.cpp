@@ -115,8 +115,6 @@ vec3 localView(const GgxLobe& lobe) {
           glm::dot(lobe.view, lobe.normal)};
 }
 
-constexpr float kLeastFilmed = 1e-3f;  ///< what reflects nothing has no shape
-
 struct Reflection {
   vec3 light{0.0f};   ///< local; 0 if it is below the horizon
   dvec3 energy{0.0};  ///< F G2 / G1

@@ -16,6 +16,9 @@ struct GgxLobe {
   bool filmed = false;      ///< f0 and f90 are those of a line (film_lobe.h): what it says is clamped
 };
 
+/// Of the factor of a filmed lobe: what reflects nothing has no shape.
+inline constexpr float kLeastFilmed = 1e-3f;
+
 inline constexpr uint32_t kLobeBoxes = 18, kLobeSamples = 4;
 
 /// What a box is made from: the random numbers that its directions are drawn with (ggx.h:
