@@ -3,15 +3,16 @@
 #define BOXLIGHT_EXTENSION_REFLECTANCE_GLSL
 
 #include "pixel_lobe.glsl"
-#include "thin_film.glsl"
 
 const uint kPixelLobes = 2;  // the base's and the coat's
+const float kLeastGloss = 1e-6;  // that kernels are divided by; paths.cpp
 
 /// What a pixel multiplies the demodulated radiance with, of the seen side and of the other one, and what it adds.
 struct Reflectance {
   vec3 diffuse, transmitted, glossy, emission;
   GgxLobe lobe[kPixelLobes];      // with kSplit
   vec3 reflected[kPixelLobes];  // their parts of `glossy`
+  vec3 filmed;                    // of a film, what the pixel's own lobe has more than its part
 };
 
 Reflectance makeReflectance(vec3 diffuse, vec3 glossy, vec3 emission) {
@@ -21,6 +22,7 @@ Reflectance makeReflectance(vec3 diffuse, vec3 glossy, vec3 emission) {
   result.glossy = glossy;
   result.emission = emission;
   result.reflected = vec3[kPixelLobes](glossy, vec3(0.0));
+  result.filmed = vec3(0.0);
   return result;
 }
 
@@ -28,18 +30,6 @@ Reflectance makeReflectance(vec3 diffuse, vec3 glossy, vec3 emission) {
 float dielectricReflectance(float ior) {
   float root = ior == 0.0 ? 1.0 : (ior - 1.0) / (ior + 1.0);
   return root * root;
-}
-
-/// KHR_materials_iridescence: the F0 that stand in for the film's reflectance at this cosine (fresnel.cpp in the bake).
-void coverWithFilm(inout Surface surface, MaterialExtension extension, ExtensionTextures textures, float nDotV) {
-  float film = extension.iridescence * textures.value[kIridescenceTexture].r;
-  float thickness = mix(extension.iridescenceThickness[0], extension.iridescenceThickness[1],
-                        textures.value[kIridescenceThicknessTexture].g);
-  if (film <= 0.0 || thickness <= 0.0) return;
-  vec3 dielectric = thinFilmReflectance(nDotV, extension.iridescenceIor, thickness, surface.dielectricF0);
-  vec3 conductor = thinFilmReflectance(nDotV, extension.iridescenceIor, thickness, surface.conductorF0);
-  surface.dielectricF0 = mix(surface.dielectricF0, schlickF0(dielectric, nDotV), film);
-  surface.conductorF0 = mix(surface.conductorF0, schlickF0(conductor, nDotV), film);
 }
 
 /// The roughness whose alpha is the geometric mean of those along the tangent and the bitangent.

@@ -4,13 +4,15 @@
 
 #include "light.glsl"
 
+layout(constant_id = kConstantFilm) const bool kFilm = true;
+
 /// lobe_boxes.h: GgxLobe; columns of `frame` are tangent, bitangent and normal, `view` is seen in it.
 struct GgxLobe {
   mat3 frame;
   vec3 view;
   vec2 alpha;
-  vec3 f0;
-  float f90;
+  vec3 f0, f90;
+  bool filmed;
   vec3 albedo;  // that the pixel's factor has for it; 0 if that is exact
 };
 
@@ -33,13 +35,17 @@ vec3 sampleVisibleNormal(vec3 view, vec2 alpha, vec2 around, float left) {
   return normalize(vec3(alpha * tangential, height));
 }
 
+const float kLeastFilmed = 1e-3;  // lobe_boxes.h
+
 /// F G2 / G1 of the reflection by a half vector drawn among those that the view sees.
 vec3 reflectionWeight(GgxLobe lobe, vec3 light, vec3 halfVector) {
   float view = stretchedLength(lobe.view, lobe.alpha);
   float shadowing = light.z * (lobe.view.z + view) /
                     (light.z * view + lobe.view.z * stretchedLength(light, lobe.alpha));
   float grazing = clamp(1.0 - dot(lobe.view, halfVector), 0.0, 1.0), squared = grazing * grazing;
-  return light.z > 0.0 ? shadowing * (lobe.f0 + (lobe.f90 - lobe.f0) * (squared * squared * grazing)) : vec3(0.0);
+  vec3 fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * (squared * squared * grazing);
+  if (kFilm && lobe.filmed) fresnel = clamp(fresnel, kLeastFilmed, 1.0);
+  return light.z > 0.0 ? shadowing * fresnel : vec3(0.0);
 }
 
 const uint kAlbedoSamples = 34, kAlbedoStep = 21;  // lobe_boxes.h

@@ -120,10 +120,10 @@ ClippedLobe clipLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {
 const float kUnseenHidden = 1.0 / 256.0;  // lobe_clip.h
 const float kLeastDirect = 1e-3;
 
-/// lobe_clip.h: splitRadiance. `stored`: radiance that kernels hold and the part that it stands for.
-vec3 splitRadiance(vec3 radiance, float hidden, vec4 stored) {
-  vec3 direct = radiance / max(1.0 - hidden, kLeastDirect);
-  return radiance + hidden * (stored.rgb + kUnseenHidden * direct) / (stored.a + kUnseenHidden);
+/// lobe_clip.h: splitRadiance. `own`: T there; `stored`: radiance that kernels hold and the part that it stands for.
+vec3 splitRadiance(vec3 radiance, float hidden, float own, vec4 stored) {
+  vec3 direct = radiance / (own * max(1.0 - hidden, kLeastDirect));
+  return radiance + own * hidden * (stored.rgb + kUnseenHidden * direct) / (stored.a + kUnseenHidden);
 }
 
 #endif

@@ -7,7 +7,6 @@
 layout(constant_id = kConstantExtended) const bool kExtended = true;
 layout(constant_id = kConstantClearcoat) const bool kClearcoat = true;
 layout(constant_id = kConstantSheen) const bool kSheen = true;
-layout(constant_id = kConstantFilm) const bool kFilm = true;
 layout(constant_id = kConstantOtherSide) const bool kOtherSide = true;
 
 /// asset::MaterialExtension.

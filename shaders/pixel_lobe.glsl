@@ -32,8 +32,8 @@ GgxLobe makeLobe(vec3 tangent, vec3 normal, vec3 toEye, vec2 alpha) {
   lobe.frame = mat3(tangent, cross(normal, tangent), normal);
   lobe.view = toEye * lobe.frame;
   lobe.alpha = max(alpha, kLeastAlpha);
-  lobe.f0 = vec3(1.0);
-  lobe.f90 = 1.0;
+  lobe.f0 = lobe.f90 = vec3(1.0);
+  lobe.filmed = false;
   lobe.albedo = vec3(0.0);
   return lobe;
 }
@@ -44,7 +44,7 @@ GgxLobe baseLobe(BaseLayer base, float roughness, Anisotropy anisotropy, Surface
   float alpha = roughness * roughness, along = mix(alpha, 1.0, anisotropy.strength * anisotropy.strength);
   GgxLobe lobe = makeLobe(lobeTangent(anisotropy, point, normal, toEye), normal, toEye, vec2(along, alpha));
   lobe.f0 = base.f0;
-  lobe.f90 = base.f90;
+  lobe.f90 = vec3(base.f90);
   if (anisotropy.strength > 0.0) lobe.albedo = base.reflected;
   return lobe;
 }

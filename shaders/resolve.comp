@@ -13,10 +13,20 @@ layout(constant_id = kConstantBackground) const bool kBackground = true;
 layout(local_size_x = kPixelGroup, local_size_y = kPixelGroup) in;
 layout(std430, binding = kBindPicture) writeonly buffer Picture { vec4 picture[]; };
 
+const float kLeastDivisor = 0.75;  // of the gloss: theory.md, section 7, thin films
+
+/// What kernels are divided by, and the luminance of the gloss over that; under a film they are of different colours.
+vec4 kernelDivisor(Reflectance factors, vec3 gloss) {
+  if (!(kFilm && factors.lobe[0].filmed)) return vec4(gloss, 1.0);
+  vec3 divisor = max(max(factors.glossy, kLeastDivisor * gloss), kLeastGloss);
+  return vec4(divisor, max(strength(gloss / divisor), kLeastGloss));
+}
+
 /// Radiance by way of the view-dependent lobes: those of the pixel's own that microfacets reflect, each times its part of the
 /// factor, and with the hidden parts of them whatever other lobes there are.
 vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
   vec3 radiance = vec3(0.0), total = factors.glossy, towards = vec3(0.0);
+  if (kFilm) total += factors.filmed;
   for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) total -= factors.reflected[l];
   float hidden = strength(total);
   for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) {
@@ -30,13 +40,16 @@ vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
     total += factor;
   }
   total = max(total, 1e-30);
+  vec4 divisor = kernelDivisor(factors, total);
   vec4 stored = seen.hidden;
   if (kCells) {
     bool hides = dot(towards, towards) > 0.0;  // and not only unmirrored lobes
     if (!hides) seen.cells.count = 0;
-    stored += arrivingFrom(hides ? normalize(towards) : vec3(0.0, 1.0, 0.0), seen.cells);
+    vec4 arriving = arrivingFrom(hides ? normalize(towards) : vec3(0.0, 1.0, 0.0), seen.cells);
+    stored += kFilm && factors.lobe[0].filmed ? arriving * vec4(total / divisor.rgb, divisor.a) : arriving;
   }
-  return total * splitRadiance(radiance / total, clamp(hidden / strength(total), 0.0, 1.0), stored);
+  hidden = clamp(hidden / strength(total), 0.0, 1.0);
+  return divisor.rgb * splitRadiance(radiance / divisor.rgb, hidden, divisor.a, stored);
 }
 
 vec3 glossyRadiance(FilteredRadiance seen, Reflectance factors) {

@@ -126,7 +126,8 @@ Reflection reflect(const GgxLobe& lobe, vec3 view, vec2 random) {
   if (!(light.z > 0)) return {};
   const float masking = ggx::masking(view, lobe.alpha);
   const float weight = ggx::visibility(light, view, lobe.alpha) * 4 * light.z * view.z / masking;
-  const Rgb fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * ggx::schlickWeight(glm::dot(view, half));
+  Rgb fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * ggx::schlickWeight(glm::dot(view, half));
+  if (lobe.filmed) fresnel = glm::clamp(fresnel, kLeastFilmed, 1.0f);
   return {light, dvec3(weight * fresnel)};
 }
 

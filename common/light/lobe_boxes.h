@@ -12,9 +12,12 @@ namespace boxlight {
 struct GgxLobe {
   vec3 tangent{1, 0, 0}, bitangent{0, 0, -1}, normal{0, 1, 0}, view{0, 1, 0};
   vec2 alpha{0.1f};
-  Rgb f0{1.0f};  ///< Schlick's Fresnel factor f0 + (f90 - f0) (1 - v.h)^5
-  float f90 = 1;
+  Rgb f0{1.0f}, f90{1.0f};  ///< Schlick's Fresnel factor f0 + (f90 - f0) (1 - v.h)^5
+  bool filmed = false;      ///< f0 and f90 are those of a line (film_lobe.h): what it says is clamped
 };
+
+/// Of the factor of a filmed lobe: what reflects nothing has no shape.
+inline constexpr float kLeastFilmed = 1e-3f;
 
 inline constexpr uint32_t kLobeBoxes = 18, kLobeSamples = 4;
 

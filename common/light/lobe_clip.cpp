@@ -83,10 +83,10 @@ vec3 ClippedLobe::hiddenDirection() const {
   return length > 0 ? vec3(towards / length) : vec3(0, 1, 0);
 }
 
-dvec3 splitRadiance(dvec3 direct, double hidden, dvec3 storedRadiance, double storedPart) {
+dvec3 splitRadiance(dvec3 direct, double hidden, dvec3 storedRadiance, double storedPart, double own) {
   constexpr double kLeastDirect = 1e-3;
-  const dvec3 mean = direct / std::max(1 - hidden, kLeastDirect);
-  return direct + hidden * (storedRadiance + kUnseenHidden * mean) / (storedPart + kUnseenHidden);
+  const dvec3 mean = direct / (own * std::max(1 - hidden, kLeastDirect));
+  return direct + own * hidden * (storedRadiance + kUnseenHidden * mean) / (storedPart + kUnseenHidden);
 }
 
 }  // namespace boxlight

@@ -45,9 +45,10 @@ inline constexpr double kUnseenHidden = 1.0 / 256;
 
 /// Radiance of a split lobe whose pieces send `direct` and whose part `hidden` is clipped away, where stored
 /// kernels say that a part H of the lobe is hidden and sends I:
-///   direct + hidden (I + e d) / (H + e),   d = direct / (1 - hidden),   e = kUnseenHidden.
+///   direct + T hidden (I + e d) / (H + e),   d = direct / (T (1 - hidden)),   e = kUnseenHidden.
+/// `own`: T, the luminance of all that the lobe reflects over what kernels take it to; 1 but under a film.
 /// Without e this is the mean radiance of the hidden directions times the hidden part; with it, what boxes at
 /// the horizon lose where nothing is hidden is made up for, and nothing is divided by zero.
-dvec3 splitRadiance(dvec3 direct, double hidden, dvec3 storedRadiance, double storedPart);
+dvec3 splitRadiance(dvec3 direct, double hidden, dvec3 storedRadiance, double storedPart, double own = 1);
 
 }  // namespace boxlight

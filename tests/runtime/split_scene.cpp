@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "common/light/film_lobe.h"
 #include "common/light/light_domain.h"
+#include "tests/runtime/pixel_model.h"
 
 namespace boxlight {
 
@@ -75,10 +77,58 @@ Finish velvet() {
   return finish;
 }
 
+Finish filmedMetal(float roughness) {
+  Finish finish = metal(roughness);
+  std::fill_n(finish.material.baseColor, 3, 0.35f);
+  finish.extension.iridescence = 1;
+  finish.extension.iridescenceIor = 1.8f;
+  finish.extension.iridescenceThickness[1] = 480;
+  return finish;
+}
+
+Finish filmedVarnish(float roughness) {
+  Finish finish = varnish(roughness);
+  finish.extension.iridescence = 0.9f;
+  finish.extension.iridescenceIor = 1.3f;
+  finish.extension.iridescenceThickness[1] = 400;
+  return finish;
+}
+
 Finish frosted() {
   Finish finish = varnish(0.5f);
   finish.extension.transmission = 0.7f;
   return finish;
+}
+
+GgxLobe lobeOf(const Finish& finish, vec3 view) {
+  const auto& m = finish.material;
+  GgxLobe lobe;
+  lobe.normal = {0, 1, 0};
+  lobe.view = view;
+  const float rotation = finish.extension.anisotropyRotation, strength = finish.extension.anisotropy;
+  const vec2 d = finish.direction;
+  const float c = std::cos(rotation), s = std::sin(rotation);
+  lobe.tangent = strength > 0 ? vec3(c * d.x - s * d.y, 0, s * d.x + c * d.y)  // bitangent +Z
+                              : lobeTangent(lobe.normal, view);
+  lobe.bitangent = glm::cross(lobe.normal, lobe.tangent);
+  const float alpha = m.roughness * m.roughness;
+  lobe.alpha = {glm::mix(alpha, 1.0f, strength * strength), alpha};
+  const Rgb color(m.baseColor[0], m.baseColor[1], m.baseColor[2]);
+  lobe.f0 = m.metallic > 0 ? color : Rgb(0.04f * m.specular);
+  lobe.f90 = Rgb(m.metallic > 0 ? 1.0f : m.specular);
+  if (finish.extension.iridescence > 0)
+    fitFresnel(lobe, [&](float vDotH) { return baseFresnel(m, finish.extension, vDotH); });
+  return lobe;
+}
+
+GgxLobe coatOf(const Finish& finish, vec3 view) {
+  GgxLobe lobe;
+  lobe.normal = {0, 1, 0};
+  lobe.view = view;
+  lobe.tangent = lobeTangent(lobe.normal, view);
+  lobe.bitangent = glm::cross(lobe.normal, lobe.tangent);
+  lobe.alpha = vec2(finish.extension.clearcoatRoughness * finish.extension.clearcoatRoughness);
+  return lobe;
 }
 
 }  // namespace boxlight

@@ -3,6 +3,7 @@
 
 #include "common/asset/asset.h"
 #include "common/image/image.h"
+#include "common/light/lobe_boxes.h"
 
 // What the tests of split lobes show: surfaces, what hides their light, and the light.
 
@@ -29,5 +30,11 @@ Finish varnish(float roughness);
 Finish coated(float roughness);  ///< two lobes of the pixel's own, one over the other
 Finish velvet();                 ///< beside the pixel's lobe there is one that kernels hold whole
 Finish frosted();
+Finish filmedMetal(float roughness);    ///< whose film is nearly black in red where it grazes
+Finish filmedVarnish(float roughness);  ///< with a part of the film only
+
+/// On a plane whose normal is +Y and whose bitangent is +Z.
+GgxLobe lobeOf(const Finish& finish, vec3 view);
+GgxLobe coatOf(const Finish& finish, vec3 view);
 
 }  // namespace boxlight

@@ -3,6 +3,7 @@
 // takes the place of its hidden part.
 #include <cmath>
 
+#include "common/light/film_lobe.h"
 #include "common/light/light_domain.h"
 #include "common/light/light_map.h"
 #include "common/light/lobe_boxes.h"
@@ -99,35 +100,6 @@ class SplitTest : public GpuTest {
     return point;
   }
 
-  GgxLobe lobeOf(const Finish& finish, vec3 view) const {
-    const auto& m = finish.material;
-    GgxLobe lobe;
-    lobe.normal = {0, 1, 0};
-    lobe.view = view;
-    const float rotation = finish.extension.anisotropyRotation, strength = finish.extension.anisotropy;
-    const vec2 d = finish.direction;
-    const float c = std::cos(rotation), s = std::sin(rotation);
-    lobe.tangent = strength > 0 ? vec3(c * d.x - s * d.y, 0, s * d.x + c * d.y)  // bitangent +Z
-                                : lobeTangent(lobe.normal, view);
-    lobe.bitangent = glm::cross(lobe.normal, lobe.tangent);
-    const float alpha = m.roughness * m.roughness;
-    lobe.alpha = {glm::mix(alpha, 1.0f, strength * strength), alpha};
-    const Rgb color(m.baseColor[0], m.baseColor[1], m.baseColor[2]);
-    lobe.f0 = m.metallic > 0 ? color : Rgb(0.04f * m.specular);
-    lobe.f90 = m.metallic > 0 ? 1.0f : m.specular;
-    return lobe;
-  }
-
-  static GgxLobe coatOf(const Finish& finish, vec3 view) {
-    GgxLobe lobe;
-    lobe.normal = {0, 1, 0};
-    lobe.view = view;
-    lobe.tangent = lobeTangent(lobe.normal, view);
-    lobe.bitangent = glm::cross(lobe.normal, lobe.tangent);
-    lobe.alpha = vec2(finish.extension.clearcoatRoughness * finish.extension.clearcoatRoughness);
-    return lobe;
-  }
-
   /// `part`: of the filter, what split records have.
   FilteredVisibility mapsAround(const std::vector<VisibilityMap>& maps, vec3 point, double& part) const {
     const vec2 at = 0.5f * (vec2(point.x, point.z) + 1.0f) * float(kEdge) - 0.5f;
@@ -151,12 +123,18 @@ class SplitTest : public GpuTest {
   /// they have any.
   using Stored = std::function<TexelRadiance(const FilteredVisibility& around, vec3 direction, bool hides)>;
 
+  /// Of the base, by the pixel's own lobe.
+  static dvec3 ownBase(const Finish& finish, const GgxLobe& lobe, const PixelFactors& f) {
+    if (finish.extension.anisotropy > 0) return dvec3(lobeAlbedo(lobe));
+    if (lobe.filmed) return f.base * dvec3(filmedAlbedo(lobe, vec2(f.albedo))) / f.reflected;
+    return f.base;
+  }
+
   /// Of all lobes, those of the pixel's own behind the maps.
   dvec3 gloss(const Finish& finish, vec3 view, const FilteredVisibility& around, const SummedArea& lights,
               const Stored& stored) const {
-    PixelFactors f = pixelFactors(finish.material, finish.extension, double(view.y), double(view.y));
+    const PixelFactors f = pixelFactors(finish.material, finish.extension, double(view.y), double(view.y));
     dvec3 total = f.glossy - f.base - f.coat, direct(0.0);
-    if (finish.extension.anisotropy > 0) f.base = dvec3(lobeAlbedo(lobeOf(finish, view)));
     double hidden = double(luminance(Rgb(total)));
     ClippedLobe all;
     const auto add = [&](const GgxLobe& lobe, dvec3 factor) {
@@ -167,11 +145,23 @@ class SplitTest : public GpuTest {
       all.towards += double(luminance(Rgb(factor))) * clipped.towards;
       total += factor;
     };
-    add(lobeOf(finish, view), f.base);
+    const GgxLobe base = lobeOf(finish, view);
+    add(base, ownBase(finish, base, f));
     if (finish.extension.clearcoat > 0) add(coatOf(finish, view), f.coat);
     const double part = hidden / double(luminance(Rgb(total)));
     const TexelRadiance sent = stored(around, all.hiddenDirection(), glm::length(all.towards) > 0);
-    return total * splitRadiance(direct / total, part, sent.glossy, sent.hidden);
+    if (!base.filmed) return total * splitRadiance(direct / total, part, sent.glossy, sent.hidden);
+    return underFilm(f.glossy, total, direct, part, sent);
+  }
+
+  /// Kernels of views are divided by another colour than that of the pixel's lobes; what arrives by direction
+  /// cells has none.
+  dvec3 underFilm(dvec3 glossy, dvec3 total, dvec3 direct, double part, TexelRadiance sent) const {
+    const dvec3 divisor = glm::max(glossy, 0.75 * total);
+    const dvec3 quotient = total / divisor;
+    const double own = double(luminance(Rgb(quotient)));
+    if (square_.directionCells > 0) sent.glossy *= quotient, sent.hidden *= own;
+    return divisor * splitRadiance(direct / divisor, part, sent.glossy, sent.hidden, own);
   }
 
   /// By a kernel of a view.
@@ -232,9 +222,11 @@ class SplitTest : public GpuTest {
       for (uint32_t x = 0; x < settings_.camera.size.x; ++x) {
         const auto point = hit(x, y);
         if (!point) continue;
-        const double cosine = double(glm::normalize(settings_.camera.eye - *point).y);
-        const dvec3 exact =
-            pixelFactors(finish.material, finish.extension, cosine, cosine).glossy * dvec3(light);
+        const vec3 view = glm::normalize(settings_.camera.eye - *point);
+        const double cosine = double(view.y);
+        PixelFactors f = pixelFactors(finish.material, finish.extension, cosine, cosine);
+        if (finish.extension.iridescence > 0) f.glossy += ownBase(finish, lobeOf(finish, view), f) - f.base;
+        const dvec3 exact = f.glossy * dvec3(light);
         for (int c = 0; c < 3; ++c)
           ASSERT_NEAR(renderer.picture().at(x, y)[c], exact[c], 5e-4 * exact[c]) << x << ' ' << y;
       }
@@ -274,6 +266,28 @@ TEST_F(SplitTest, AConstantLightIsConstantWhateverIsHidden) {
     for (const float hiddenPart : {0.0f, 0.25f}) {
       // Grey: what is hidden is one number for all colours.
       std::fill_n(finish.material.baseColor, 3, 0.8f);
+      expectConstant(finish, hiddenPart);
+    }
+}
+
+TEST_F(SplitTest, UnderAFilmPixelsAreTheirOwnLobesAndKernelsFillTheRest) {
+  square_.visibility = spottedMap;
+  for (const Finish& finish : {filmedMetal(0.1f), filmedMetal(0.4f), filmedVarnish(0.3f), filmedMetal(0.25f)})
+    for (const uint32_t frequency : {0u, 3u}) {
+      square_.directionCells = frequency;
+      EXPECT_LT(compare(finish, 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2)
+          << frequency << ' ' << finish.material.roughness;
+    }
+}
+
+TEST_F(SplitTest, UnderAFilmAConstantLightIsItsReflectanceWhateverIsHidden) {
+  square_.visibility = spottedMap;
+  one_ = true;
+  Finish finish = filmedMetal(0.4f);
+  finish.extension.iridescenceThickness[1] = 1e5f;  // grey: without interference
+  for (const uint32_t frequency : {0u, 2u})
+    for (const float hiddenPart : {0.0f, 0.25f}) {
+      square_.directionCells = frequency;
       expectConstant(finish, hiddenPart);
     }
 }

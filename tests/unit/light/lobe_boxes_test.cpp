@@ -51,7 +51,7 @@ double exactAlbedo(const GgxLobe& lobe) {
     const vec3 half = ggx::sampleVisibleNormal(view, lobe.alpha, random);
     const vec3 light = 2 * dot(view, half) * half - view;
     if (!(light.z > 0)) continue;
-    const float fresnel = lobe.f0.x + (lobe.f90 - lobe.f0.x) * ggx::schlickWeight(dot(view, half));
+    const float fresnel = lobe.f0.x + (lobe.f90.x - lobe.f0.x) * ggx::schlickWeight(dot(view, half));
     sum += double(fresnel * ggx::visibility(light, view, lobe.alpha) * 4 * light.z * view.z /
                   ggx::masking(view, lobe.alpha));
   }
