@@ -17,8 +17,8 @@ static_assert(std::endian::native == std::endian::little, "records are read and 
 inline constexpr uint8_t kMagic[8] = {0xAB, 'P', 'T', 'B', '\r', '\n', 0x1A, '\n'};
 inline constexpr uint16_t kMajorVersion = 1;  ///< a reader refuses any other
 /// 1.1 adds MATX, TXFM and kernels with emitted radiance; 1.2 the scheme split with VISI; 1.3 the scheme
-/// cells with CELL.
-inline constexpr uint16_t kMinorVersion = 3;
+/// cells with CELL; 1.4 cosine boxes.
+inline constexpr uint16_t kMinorVersion = 4;
 inline constexpr uint32_t kNone = 0xFFFFFFFFu;
 inline constexpr uint32_t kTileRecords =
     64;  ///< texel records per tile at most: one bit each in a 64-bit mask

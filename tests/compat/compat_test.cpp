@@ -45,7 +45,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(Version{"version-1.0.ptb", 0xe9acc4d4c205abbdull, {.extensions = false}},
                       Version{"version-1.1.ptb", 0x2494a6ebac4d2b26ull, {}},
                       Version{"version-1.2.ptb", 0xe0cf0c3ba180b77aull, {.split = true}},
-                      Version{"version-1.3.ptb", 0x5a174fe6224cc596ull, {.split = true, .cells = true}}));
+                      Version{"version-1.3.ptb", 0x5a174fe6224cc596ull, {.split = true, .cells = true}},
+                      Version{"version-1.4.ptb", 0xull, {.cosine = true}}));
 
 }  // namespace
 }  // namespace boxlight::asset

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the C++ side of the format's agreement test needs:
-//   format_tool sample OUT.ptb [split|cells]    write a small asset with a value of its own in every field
-//   format_tool dump ASSET.ptb [EVERY]          print all values as JSON, one table a line; of texels, maps
-//   and pages, every EVERYth
+//   format_tool sample OUT.ptb [split|cells|cosine]    write a small asset with a value of its own in every
+//   field format_tool dump ASSET.ptb [EVERY]          print all values as JSON, one table a line; of texels,
+//   maps and pages, every EVERYth
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
@@ -105,6 +105,7 @@ Row toRow(const PackedBox& packed) {
   if (isEmission(packed)) return Row(packed.kind, unpackEmission(packed));
   if (isHiddenPart(packed)) return Row(packed.kind, unpackHiddenPart(packed));
   const Box box = unpackBox(packed);
+  if (isCosineBox(packed)) return Row(packed.kind, box.u0, box.v0, box.du, box.dv, box.energy.x);
   return Row(packed.kind, box.u0, box.v0, box.du, box.dv, box.energy);
 }
 
@@ -173,17 +174,18 @@ void dump(const char* path, uint64_t every) {
 int main(int argc, char** argv) try {
   const std::string_view command = argc >= 3 ? argv[1] : "";
   const std::string_view option = argc >= 4 ? argv[3] : "";
-  if (command == "sample" && (argc == 3 || option == "split" || option == "cells")) {
+  if (command == "sample" && (argc == 3 || option == "split" || option == "cells" || option == "cosine")) {
     boxlight::asset::makeSample({.viewFrequency = 3,
                                  .records = 150,
                                  .recordsPerTile = 64,
-                                 .split = argc > 3,
-                                 .cells = option == "cells"})
+                                 .split = option == "split" || option == "cells",
+                                 .cells = option == "cells",
+                                 .cosine = option == "cosine"})
         .write(argv[2]);
   } else if (command == "dump") {
     boxlight::asset::dump(argv[2], argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
   } else {
-    fmt::print(stderr, "usage: format_tool sample OUT.ptb [split|cells] | dump ASSET.ptb [EVERY]\n");
+    fmt::print(stderr, "usage: format_tool sample OUT.ptb [split|cells|cosine] | dump ASSET.ptb [EVERY]\n");
     return 1;
   }
   return 0;

@@ -45,7 +45,7 @@ TABLES = {
 OPTIONAL = ["MATX", "TXFM", "VISI", "CELL"]
 REQUIRED = [name for name in ["PROV", *TABLES, "TEXD", "PAGE"] if name not in OPTIONAL]
 BOX = struct.Struct("<4H3eH")
-LIGHT, EMISSION, HIDDEN = 0, 1, 2
+LIGHT, EMISSION, HIDDEN, COSINE = 0, 1, 2, 3
 SKETCH, SPLIT, CELLS = 1, 2, 3
 BACK_SIDE, SPLIT_LOBE, DIRECTION_CELLS = 1, 2, 4  # flags of a record
 FLOAT_MAX = (2 - 2**-23) * 2.0**127
@@ -232,7 +232,7 @@ class Ptb:
             require(offset + stored <= size, f"{place}: range")
 
     def page(self, stream, tile, entry):
-        """Rows of 0, u0, v0, width, height, energy R G B, of 1, radiance R G B, and of 2, hidden part."""
+        """Rows of 0, u0, v0, width, height, energy R G B, of 1, radiance R G B, of 2, hidden part, of 3, u0, v0, width, height, amplitude."""
         offset, stored, raw, page_hash = entry
         if stored == 0:
             return []
@@ -249,8 +249,8 @@ class Ptb:
 
     def slot(self, place, u0, v0, du, dv, red, green, blue, kind):
         energy = (red, green, blue)
-        require(all(e >= 0 and math.isfinite(e) for e in energy), f"{place}: energy")
-        require(kind in (LIGHT, EMISSION, HIDDEN), f"{place}: kind")
+        require(all((e >= 0 or kind == COSINE) and math.isfinite(e) for e in energy), f"{place}: energy")
+        require(kind in (LIGHT, EMISSION, HIDDEN, COSINE), f"{place}: kind")
         if kind == HIDDEN:
             return (HIDDEN, red)
         if kind == EMISSION:
@@ -259,10 +259,15 @@ class Ptb:
             require(max(radiance) <= FLOAT_MAX, f"{place}: emitted radiance")
             return (EMISSION, *radiance)
         require(v0 + dv + 1 <= 65536, f"{place}: box below the domain")
-        return (LIGHT, u0 / 65536, v0 / 65536, (du + 1) / 65536, (dv + 1) / 65536, *energy)
+        edges = (u0 / 65536, v0 / 65536, (du + 1) / 65536, (dv + 1) / 65536)
+        if kind == COSINE:
+            require(v0 % 512 == 0 and (v0 + dv + 1) % 512 == 0, f"{place}: cosine box off its raster")
+            return (COSINE, *edges, red)
+        return (LIGHT, *edges, *energy)
 
     def check_kinds(self, stream, tile, kernels):
-        """Emitted radiance in slot 0 only; behind it, exactly the glossy kernels of split records say their hidden part."""
+        """Emitted radiance in slot 0 only; behind it, exactly the glossy kernels of split records say their hidden part. Cosine boxes in
+        Lambert kernels only."""
         (mask,) = self.tables["MASK"][stream * len(self.tables["TILE"]) + tile]
         for record, kinds in zip(self.records_of(mask, tile), kernels):
             place = f"page {stream} {tile}, record {record}"
@@ -271,7 +276,7 @@ class Ptb:
             if stream != self.view_count and self.tables["RECS"][record][3] & SPLIT_LOBE:
                 require(kinds[:1] == [HIDDEN], f"{place}: no hidden part")
                 kinds = kinds[1:]
-            require(set(kinds) <= {LIGHT}, f"{place}: kinds")
+            require(set(kinds) <= ({LIGHT, COSINE} if stream == self.view_count else {LIGHT}), f"{place}: kinds")
 
     def check_emitted(self, stream, tile, first_slots):
         key = (tile, stream == self.view_count)
@@ -315,7 +320,7 @@ def summary(ptb):
         rows = ptb.page(stream, tile, entry)
         pages += bool(rows)
         boxes += len(rows)
-        energy += sum(sum(row[5:8]) for row in rows)
+        energy += sum(sum(row[5:8]) for row in rows if row[0] == LIGHT)
     return {"version": f"{ptb.header[0]}.{ptb.header[1]}", "provenance": ptb.provenance,
             "views": ptb.view_count, "atlas": list(ptb.atlas_size),
             "entries": {name: len(rows) for name, rows in ptb.tables.items()},

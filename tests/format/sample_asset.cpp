@@ -211,6 +211,20 @@ void addHiddenParts(Sample& sample) {
   }
 }
 
+/// The first of a kernel is the whole sphere, the others lie on the raster and have either sign.
+void addCosineBoxes(Sample& sample) {
+  const size_t tiles = sample.asset.tiles.size();
+  for (size_t tile = 0; tile < tiles; ++tile) {
+    std::vector<PackedBox>& page = sample.pages[sample.asset.diffuseStream() * tiles + tile];
+    for (size_t slot = 0; slot < page.size(); ++slot) {
+      if (isEmission(page[slot]) || slot % 2 == 0) continue;
+      CosineBox cosine{{0, 0, 1, 1}, slot % 3 == 0 ? 1.0f : -0.25f};
+      if (slot % 4 != 1) cosine.box = {float(slot % 64) / 64, 0.25f, 0.5f, float(1 + slot % 90) / 128};
+      page[slot] = packCosineBox(cosine);
+    }
+  }
+}
+
 /// Tile 0 has glossy and Lambert kernels of different lengths.
 void addPages(Sample& sample, Numbers& numbers, const SampleSize& size) {
   Asset& asset = sample.asset;
@@ -253,6 +267,7 @@ Sample makeSample(SampleSize size) {
   addPages(sample, numbers, size);
   if (size.extensions) addEmission(sample);
   if (size.split) addHiddenParts(sample);
+  if (size.cosine) addCosineBoxes(sample);
   return sample;
 }
 

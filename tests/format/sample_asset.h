@@ -23,6 +23,7 @@ struct SampleSize {
   bool extensions = true;  ///< what format 1.1 added; without, the content is that of version-1.0.ptb
   bool split = false;      ///< what format 1.2 added: of three records, the first and the third are split
   bool cells = false;      ///< what format 1.3 added, with `split`: the first of three has direction cells
+  bool cosine = false;     ///< what format 1.4 added: one slot in two of Lambert kernels is a cosine box
 };
 
 Sample makeSample(SampleSize size = {});

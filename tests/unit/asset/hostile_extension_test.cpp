@@ -21,6 +21,8 @@ void removeExtensions(Surgeon& s) {
   s.removeChunk(chunk::kMaterialExtensions);
 }
 
+const PackedBox kCosine = packCosineBox({{0, 0.25f, 1, 0.5f}, 1});
+
 const std::vector<Case> kCases = {
     {"flagsNeedExtensions", extensionMissing, [](Surgeon& s) { s.removeChunk(chunk::kMaterialExtensions); }},
     {"emissionNeedsExtensions", extensionMissing, removeExtensions},
@@ -61,6 +63,11 @@ const std::vector<Case> kCases = {
     {"emittedTooLarge", boxRange,
      inBox(kLambertPage, 0, [](auto& b) { b.du = 32768 + 128, b.energy[0] = 0x4000; })},
     {"emittedNegative", boxEnergy, inBox(kLambertPage, 0, [](auto& b) { b.energy[1] = 0xBC00; })},
+    {"cosineOffItsRaster", boxRange,
+     inBox(kLambertPage, 1, [](auto& b) { b = kCosine, b.v0 += 1, b.dv -= 1; })},
+    {"cosineEndsOffItsRaster", boxRange, inBox(kLambertPage, 1, [](auto& b) { b = kCosine, b.dv += 1; })},
+    {"cosineBelowTheDomain", boxRange, inBox(kLambertPage, 1, [](auto& b) { b = kCosine, b.dv += 32768; })},
+    {"cosineInfinite", boxEnergy, inBox(kLambertPage, 1, [](auto& b) { b = kCosine, b.energy[0] = 0xFC00; })},
     {"emittedNan", boxEnergy, inBox(kLambertPage, 0, [](auto& b) { b.energy[1] = 0x7E00; })},
 };
 
@@ -76,6 +83,13 @@ const std::vector<Case> kHarmless = {
 
 INSTANTIATE_TEST_SUITE_P(Extension, Hostile, ::testing::ValuesIn(kCases), kCaseName);
 INSTANTIATE_TEST_SUITE_P(Extension, Harmless, ::testing::ValuesIn(kHarmless), kCaseName);
+
+const PackedBox kTakesAway = packCosineBox({{0, 0, 1, 1}, -2});
+TEST(Extension, CosineBoxesMayTakeAway) {
+  const Validation validation =
+      validationAfter({}, inBox(kLambertPage, 1, [](PackedBox& b) { b = kTakesAway; }));
+  EXPECT_TRUE(validation.count.empty());
+}
 
 Validation afterwards(const std::function<void(Surgeon&)>& operate) { return validationAfter({}, operate); }
 

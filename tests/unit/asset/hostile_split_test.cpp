@@ -73,6 +73,12 @@ const std::vector<Case> kHiddenCases = {
     {"hiddenInfinite", boxEnergy, inHidden(0, 0x7C00), kSplit},
     {"hiddenNan", boxEnergy, inHidden(0, 0x7E00), kSplit},
     {"hiddenNanInG", boxEnergy, inHidden(1, 0x7E00), kSplit},
+    {"cosineInAView", boxKind,
+     inBox(kPage, 4,
+           [](PackedBox& b) {
+             b = packCosineBox({{0, 0, 1, 1}, 1});
+           }),
+     kSplit},
     {"unknownKindInSlot0", boxKind, inBox(kPage, 3, [](PackedBox& b) { b.kind = 4; }), kSplit},
 };
 

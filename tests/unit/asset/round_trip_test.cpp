@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
         SampleSize{.extensions = false}, SampleSize{.split = true},
         SampleSize{.extensions = false, .split = true},
         SampleSize{.viewFrequency = 2, .records = 70, .recordsPerTile = 64, .split = true},
-        SampleSize{.split = true, .cells = true},
+        SampleSize{.split = true, .cells = true}, SampleSize{.cosine = true},
         SampleSize{.extensions = false, .split = true, .cells = true},
         SampleSize{.records = 0, .split = true, .cells = true},
         SampleSize{.viewFrequency = 2, .records = 70, .recordsPerTile = 64, .split = true, .cells = true}));
