@@ -28,22 +28,27 @@ void build(gpu::Light& light) {
   light.show();
 }
 
-/// A new 1k environment: upload, light map of 512 x 256, table.
-void BM_NewEnvironment(benchmark::State& state, gpu::SatScheme scheme, gpu::SatBuild sums) {
-  gpu::Light light(device(), sky(), {}, {{512, 256}, scheme, sums});
+/// A new 1k environment: upload, light map of 512 x 256, table, and moments where asked for.
+void BM_NewEnvironment(benchmark::State& state, gpu::SatScheme scheme, gpu::SatBuild sums, bool moments) {
+  gpu::Light light(device(), sky(), {}, {{512, 256}, scheme, sums, moments});
   build(light);
   for (auto _ : state) {
     light.setEnvironment(sky());
     build(light);
   }
 }
-BENCHMARK_CAPTURE(BM_NewEnvironment, compact, gpu::SatScheme::compact, gpu::SatBuild::automatic)
+BENCHMARK_CAPTURE(BM_NewEnvironment, compact, gpu::SatScheme::compact, gpu::SatBuild::automatic, false)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(BM_NewEnvironment, exact, gpu::SatScheme::exact, gpu::SatBuild::automatic)
+BENCHMARK_CAPTURE(BM_NewEnvironment, compact_with_moments, gpu::SatScheme::compact, gpu::SatBuild::automatic,
+                  true)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
-BENCHMARK_CAPTURE(BM_NewEnvironment, compact_by_workgroups, gpu::SatScheme::compact, gpu::SatBuild::groups)
+BENCHMARK_CAPTURE(BM_NewEnvironment, exact, gpu::SatScheme::exact, gpu::SatBuild::automatic, false)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_NewEnvironment, compact_by_workgroups, gpu::SatScheme::compact, gpu::SatBuild::groups,
+                  false)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 
