@@ -10,7 +10,7 @@ layout(std430, binding = kMomentCells) buffer Cells { vec4 cells[]; };
 
 void main() {
   uint cell = gl_GlobalInvocationID.x / 3, axis = gl_GlobalInvocationID.x % 3;
-  if (cell >= kHorizonCells) return;
+  if (cell >= kHorizonCellCount) return;
   uvec2 size = uvec2(kMomentColumns / kHorizonCellColumns, kMomentRows / kHorizonCellRows);
   uvec2 from = uvec2(cell % kHorizonCellColumns, cell / kHorizonCellColumns) * size, to = from + size;
   uvec3 sum = table[momentPlace(to.x, to.y, axis)].xyz - table[momentPlace(from.x, to.y, axis)].xyz -

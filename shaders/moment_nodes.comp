@@ -15,12 +15,12 @@ const float kHorizonBand = 0.2;  // moment_cover.h
 
 void main() {
   uint node = gl_GlobalInvocationID.x, place = kMomentNodes + 3 * node;
-  if (node >= kHorizonNodes) return;
+  if (node >= kHorizonNodeCount) return;
   vec3 normal = uintBitsToFloat(uvec3(table[place].w, table[place + 1].w, table[place + 2].w));
   vec3 x = vec3(0.0), y = vec3(0.0), z = vec3(0.0);
   vec3 missing = kPi * normal, radiance = vec3(0.0);  // the first of a light of 1
   float weights = 0.0;
-  for (uint cell = 0; cell < 3 * kHorizonCells; cell += 3) {
+  for (uint cell = 0; cell < 3 * kHorizonCellCount; cell += 3) {
     vec4 cx = cells[cell], cy = cells[cell + 1], cz = cells[cell + 2];
     vec4 cosines = normal.x * cx + normal.y * cy + normal.z * cz;
     vec3 seen = vec3(greaterThan(cosines.xyz, vec3(0.0))), one = vec3(cx.w, cy.w, cz.w);

@@ -54,7 +54,8 @@ MomentSum loadMoment(uint x, uint row) {
 MomentSum momentsLeftOf(uint x, uvec2 rows) {
   MomentSum sum = subtract(loadMoment(min(x, kMomentColumns), rows.y), loadMoment(min(x, kMomentColumns), rows.x));
   if (x <= kMomentColumns) return sum;
-  MomentSum more = subtract(loadMoment(x - kMomentColumns, rows.y), loadMoment(x - kMomentColumns, rows.x));
+  uint rest = min(x - kMomentColumns, kMomentColumns);
+  MomentSum more = subtract(loadMoment(rest, rows.y), loadMoment(rest, rows.x));
   return MomentSum(sum.x + more.x, sum.y + more.y, sum.z + more.z);
 }
 
@@ -80,7 +81,8 @@ struct Hemisphere {
 };
 
 Hemisphere hemisphereAbove(vec3 normal) {
-  vec2 at = vec2(0.5 + atan(normal.z, normal.x) / (2.0 * kPi), atan(length(normal.xz), normal.y) / kPi);
+  float around = normal.xz == vec2(0.0) ? 0.0 : atan(normal.z, normal.x);
+  vec2 at = vec2(0.5 + around / (2.0 * kPi), atan(length(normal.xz), normal.y) / kPi);
   vec2 cell = vec2(fract(at.x) * float(kHorizonColumns), at.y * float(kHorizonRows - 1));
   uvec2 first = min(uvec2(cell), uvec2(kHorizonColumns - 1, kHorizonRows - 2));
   vec2 part = cell - vec2(first);

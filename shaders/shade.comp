@@ -63,7 +63,7 @@ Diffuse diffuseRadiance(GpuRecord record) {
   StraightLight straight = StraightLight(vec3(0.0), Moment(vec3(0.0), vec3(0.0), vec3(0.0)));
   for (uint j = first; j < end; ++j) {
     uvec4 packed = loadPacked(kernel, j);
-    if (packed == uvec4(0)) break;  // the slots that a fit left empty come last
+    if (packed == uvec4(0)) continue;  // many slots are empty
     addSlot(packed, record.normal, mapNormal, sum, straight);
   }
   sum.radiance += max(straight.irradiance, vec3(0.0)) / kPi;

@@ -145,10 +145,10 @@ SHARED_CONSTANT kMomentRows = 128;
 SHARED_CONSTANT kMomentStride = kMomentColumns + 1;
 SHARED_CONSTANT kHorizonColumns = 48;
 SHARED_CONSTANT kHorizonRows = 25;
-SHARED_CONSTANT kHorizonNodes = kHorizonColumns * kHorizonRows;
+SHARED_CONSTANT kHorizonNodeCount = kHorizonColumns * kHorizonRows;
 SHARED_CONSTANT kHorizonCellColumns = 32;
 SHARED_CONSTANT kHorizonCellRows = 16;
-SHARED_CONSTANT kHorizonCells = kHorizonCellColumns * kHorizonCellRows;
+SHARED_CONSTANT kHorizonCellCount = kHorizonCellColumns * kHorizonCellRows;
 SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place of the first
 
 struct FrameConstants {

@@ -18,17 +18,32 @@ size_t cellOf(vec3 direction) {
   return size_t(y) * kColumns + size_t(x);
 }
 
+constexpr int kSub = 2;  // samples of a cell, each way
+
+/// Directions of those of all cells.
+const std::vector<vec3>& cellSamples() {
+  static const std::vector<vec3> samples = [] {
+    std::vector<vec3> made;
+    for (int i = 0; i < kColumns * kRows * kSub * kSub; ++i) {
+      const int cell = i / (kSub * kSub), sample = i % (kSub * kSub);
+      made.push_back(
+          uvToDirection({(float(cell % kColumns) + (float(sample % kSub) + 0.5f) / kSub) / kColumns,
+                         (float(cell / kColumns) + (float(sample / kSub) + 0.5f) / kSub) / kRows}));
+    }
+    return made;
+  }();
+  return samples;
+}
+
 /// Integral of (n.w)^2 over the part of a cell that lies below the horizon.
-double belowHorizon(int x, int y, vec3 normal) {
-  constexpr int kSub = 2;
+double belowHorizon(int cell, vec3 normal) {
   double sum = 0;
   for (int i = 0; i < kSub * kSub; ++i) {
-    const vec2 uv((float(x) + (float(i % kSub) + 0.5f) / kSub) / kColumns,
-                  (float(y) + (float(i / kSub) + 0.5f) / kSub) / kRows);
-    const double cosine = double(glm::dot(uvToDirection(uv), normal));
+    const double cosine = double(glm::dot(cellSamples()[size_t(cell * kSub * kSub + i)], normal));
     if (cosine < 0) sum += cosine * cosine;
   }
-  return sum / (kSub * kSub) * rectangleSolidAngle(1.0 / kColumns, double(y) / kRows, (y + 1.0) / kRows);
+  const int row = cell / kColumns;
+  return sum / (kSub * kSub) * rectangleSolidAngle(1.0 / kColumns, double(row) / kRows, (row + 1.0) / kRows);
 }
 
 }  // namespace
@@ -60,14 +75,9 @@ VisibilityCells::VisibilityCells(std::span<const FirstDirection> first, vec3 nor
     worth_ += cosine;
   }
   straightPart_ = double(straight) / double(first.size());
-  std::vector<dvec2> data(cells_.size());
-  for (int y = 0; y < kRows; ++y)
-    for (int x = 0; x < kColumns; ++x) {
-      const size_t i = size_t(y) * kColumns + size_t(x);
-      weights_[i] = cells_[i].y + double(first.size()) / kPiDouble * belowHorizon(x, y, normal);
-      data[i] = cells_[i];
-    }
-  data_.build(data);
+  for (size_t i = 0; i < cells_.size(); ++i)
+    weights_[i] = cells_[i].y + double(first.size()) / kPiDouble * belowHorizon(int(i), normal);
+  data_.build(cells_);
 }
 
 double VisibilityCells::data(const GridBox& box, double open) const {
@@ -100,7 +110,9 @@ double VisibilityCells::overlap(const GridBox& a, const GridBox& b) const {
   return sum;
 }
 
+/// The whole sphere is for the hemisphere to mean.
 double VisibilityCells::gain(const GridBox& box) const {
+  if (box.x1 - box.x0 == kColumns && box.y1 - box.y0 == kRows) return 0;
   const dvec2 sum = residual_.sum(box);
   return sum.y > 0 ? sum.x * sum.x / sum.y : 0;
 }

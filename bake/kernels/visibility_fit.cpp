@@ -2,6 +2,8 @@
 #include "bake/kernels/visibility_fit.h"
 
 #include <Eigen/Dense>
+#include <cassert>
+#include <glm/gtc/packing.hpp>
 
 #include "bake/kernels/visibility_cells.h"
 #include "common/light/light_domain.h"
@@ -76,20 +78,21 @@ void VisibilityFitter::Fit::solve(bool exact) {
   amplitudes.assign(solution.begin(), solution.end());
 }
 
+/// The whole sphere, if it is there, makes up for the rounding of the others.
 std::vector<CosineBox> VisibilityFitter::Fit::result() const {
   std::vector<CosineBox> result;
-  double energy = open;
+  double rest = cells.straightPart();
   for (size_t i = 0; i < boxes.size(); ++i) {
     const Box box = cells.toBox(boxes[i]);
-    energy += amplitudes[i] * energyOf(box, normal);
-    result.push_back({box, float(amplitudes[i])});
+    result.push_back({box, glm::unpackHalf1x16(glm::packHalf1x16(float(amplitudes[i])))});
+    rest -= double(result.back().amplitude) * energyOf(box, normal);
   }
-  const double whole = open + cells.straightPart() - energy;
-  if (whole != 0) result.insert(result.begin(), {Box{0, 0, 1, 1}, float(whole)});
+  if (open > 0 || result.empty()) result.insert(result.begin(), {Box{0, 0, 1, 1}, float(rest)});
   return result;
 }
 
 std::vector<CosineBox> VisibilityFitter::fit(std::span<const FirstDirection> first, vec3 normal) {
+  assert(options_.boxes >= 1 && options_.boxes <= 40);
   if (std::none_of(first.begin(), first.end(), [](const FirstDirection& d) { return d.straight; })) return {};
   Fit fit(first, normal);
   fit.insertBoxes(options_);

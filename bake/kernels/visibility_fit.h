@@ -21,7 +21,7 @@ namespace boxlight {
 class VisibilityFitter {
  public:
   struct Options {
-    int boxes = 16;            ///< at most, the whole sphere among them; 1 to 32
+    int boxes = 16;            ///< at most, the whole sphere among them; 1 to 40
     double worthwhile = 2e-4;  ///< of what the whole hemisphere is worth, the least that a box must gain
     int refinements = 2;
   };
@@ -29,7 +29,7 @@ class VisibilityFitter {
 
   /// `first`: cosine-distributed directions around normals whose mean is the unit vector `normal`. Boxes in
   /// the order of what they gained, amplitudes of either sign; under a constant light they return the part
-  /// of the paths that went straight, exactly. Empty if none did. Deterministic.
+  /// of the paths that went straight, but for the rounding of half floats. Empty if none did. Deterministic.
   std::vector<CosineBox> fit(std::span<const FirstDirection> first, vec3 normal);
 
  private:

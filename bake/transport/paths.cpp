@@ -106,9 +106,10 @@ bool PathTracer::leave(const SurfaceView& first, PathState path, Rgb mirrored, S
   const double lobe = double(luminance(path.throughput)), own = double(luminance(mirrored));
   for (uint32_t bounce = 0;; ++bounce) {
     Ray ray = leaveSurface(scene, surface, path.direction);
+    const Rgb sent = path.throughput;
     const Travel next = travel(world_, path.media, ray, path.throughput, sampler);
     path.direction = ray.direction;
-    const bool direct = bounce == 0 && !next.point && path.direction == start;
+    const bool direct = bounce == 0 && !next.point && path.direction == start && path.throughput == sent;
     if (bounce == 0) paths.hidden += direct ? lobe - own : lobe;
     if (!(maxComponent(path.throughput) > 0.0f)) return false;
     if (!next.point) {

@@ -71,7 +71,7 @@ PackedBox packHiddenPart(float part) {
 
 PackedBox packCosineBox(const CosineBox& box) {
   Box edges = box.box;
-  edges.energy = Rgb(box.amplitude);
+  edges.energy = Rgb(std::clamp(box.amplitude, -65504.0f, 65504.0f));
   PackedBox packed = packBox(edges);
   packed.kind = kCosineBox;
   return packed;

@@ -23,8 +23,9 @@ class LightMoments {
   dmat3 integrate(const Rectangle& rectangle, double uOffset = 0.0) const;
 
   /// n.w integrated over the hemisphere above the unit vector `normal`: `irradiance`, exact for a constant
-  /// light and, away from their terminators, for point lights; within 1.5 % of its strongest at the
-  /// terminator of one. `moment` . normal is the same nearly, and `moment` is good for its tangential part.
+  /// light and, away from their terminators, for point lights; within 2 % of its strongest 20 degrees
+  /// around the terminator of one. `moment` . normal is the same nearly, and `moment` is good for its
+  /// tangential part.
   struct Hemisphere {
     dvec3 irradiance;
     dmat3 moment;

@@ -77,11 +77,12 @@ class Relighter {
 
   /// Radiance that leaves `record` towards `eye` under the light of `lights` turned by `uOffset`. The view
   /// direction is raised to kHorizonCosine above the record's normal. The first `maxBoxes` boxes take part;
-  /// they are stored by falling energy. Emitted radiance is added to them, interpolated like energy. A view
-  /// without a kernel for this record is left out and the weights of the others are scaled to sum to 1.
-  /// Of a record with asset::kSplitLobe the glossy radiance is what its hidden directions send: the sum over
-  /// the three views of weight_k times each kernel's own radiance; a view without a kernel hides nothing. Of
-  /// one with asset::kDirectionCells it is 0: there it is arriving(), for a direction that only pixels know.
+  /// they are stored by falling energy, cosine boxes first. Emitted radiance is added to them, interpolated
+  /// like energy. A view without a kernel for this record is left out and the weights of the others are
+  /// scaled to sum to 1. Of a record with asset::kSplitLobe the glossy radiance is what its hidden directions
+  /// send: the sum over the three views of weight_k times each kernel's own radiance; a view without a kernel
+  /// hides nothing. Of one with asset::kDirectionCells it is 0: there it is arriving(), for a direction that
+  /// only pixels know.
   TexelRadiance relight(uint32_t record, vec3 eye, const SummedArea& lights, double uOffset = 0.0,
                         Interpolation interpolation = Interpolation::energy, uint32_t maxBoxes = ~0u);
 

@@ -18,9 +18,8 @@ namespace boxlight::gpu {
 namespace {
 
 static_assert(kMomentColumns == kMomentSize.x && kMomentRows == kMomentSize.y);
-static_assert(kHorizonColumns == boxlight::kHorizonNodes.x && kHorizonRows == boxlight::kHorizonNodes.y);
-static_assert(kHorizonCellColumns == boxlight::kHorizonCells.x &&
-              kHorizonCellRows == boxlight::kHorizonCells.y);
+static_assert(kHorizonColumns == kHorizonNodes.x && kHorizonRows == kHorizonNodes.y);
+static_assert(kHorizonCellColumns == kHorizonCells.x && kHorizonCellRows == kHorizonCells.y);
 
 constexpr int kTotalBits = 30;     // a sum of either sign, and as much again
 constexpr double kMargin = 1.001;  // of sums rounded to floats
@@ -45,8 +44,8 @@ std::vector<float> weightsOf(const MomentCover& cover) {
 /// The moments of a light of 1 over the cells, as their w.
 std::vector<vec4> makeCells() {
   std::vector<vec4> cells;
-  const dvec2 size = 1.0 / dvec2(boxlight::kHorizonCells);
-  for (uint32_t i = 0; i < gpu::kHorizonCells; ++i) {
+  const dvec2 size = 1.0 / dvec2(kHorizonCells);
+  for (uint32_t i = 0; i < kHorizonCellCount; ++i) {
     const double u = double(i % kHorizonCellColumns) * size.x, v = double(i / kHorizonCellColumns) * size.y;
     const dvec3 moment = rectangleSolidAngle(size.x, v, v + size.y) * meanDirection(u, v, size.x, size.y);
     for (int axis = 0; axis < 3; ++axis) cells.emplace_back(0, 0, 0, float(moment[axis]));
@@ -57,7 +56,7 @@ std::vector<vec4> makeCells() {
 /// The normals of the nodes, as their w.
 std::vector<uvec4> makeNodes() {
   std::vector<uvec4> nodes;
-  for (uint32_t i = 0; i < gpu::kHorizonNodes; ++i) {
+  for (uint32_t i = 0; i < kHorizonNodeCount; ++i) {
     const vec3 normal = uvToDirection({float(i % kHorizonColumns) / float(kHorizonColumns),
                                        float(i / kHorizonColumns) / float(kHorizonRows - 1)});
     for (int axis = 0; axis < 3; ++axis) nodes.emplace_back(0, 0, 0, std::bit_cast<uint32_t>(normal[axis]));
@@ -109,8 +108,8 @@ void MomentPass::build(Commands& commands) const {
   commands.dispatch(moments_, {kMomentColumns / kPixelGroup, kMomentRows / kPixelGroup, 1});
   commands.dispatch(rows_, {groupsFor(3 * kMomentRows), 1, 1});
   commands.dispatch(columns_, {groupsFor(3 * kMomentStride), 1, 1});
-  commands.dispatch(cellSums_, {groupsFor(3 * gpu::kHorizonCells), 1, 1});
-  commands.dispatch(nodes_, {groupsFor(gpu::kHorizonNodes), 1, 1});
+  commands.dispatch(cellSums_, {groupsFor(3 * kHorizonCellCount), 1, 1});
+  commands.dispatch(nodes_, {groupsFor(kHorizonNodeCount), 1, 1});
 }
 
 void MomentPass::flip() {

@@ -87,7 +87,10 @@ TEST_P(Furnace, BakedKernelsTimesThePixelsFactorAreTheAlbedo) {
     const RecordKernels kernels = baker.bake(plan, options.glossySlots(plan));
     if (plan.lambert) {
       Rgb energy(0);
-      for (const PackedBox& box : kernels.lambert.slots) energy += unpackBox(box).energy;
+      for (const PackedBox& box : kernels.lambert.slots) {
+        energy += unpackBox(box).energy;
+        EXPECT_TRUE(!isCosineBox(box) || unpackCosineBox(box).isWhole()) << "else its amplitude is no energy";
+      }
       expectNear(energy, Rgb(1), 5e-3f, "Lambert");
     }
     const PathOrigin origin = plan.origin(world, map);

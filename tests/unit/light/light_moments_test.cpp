@@ -91,7 +91,7 @@ TEST(LightMoments, HemispheresOfNoise) {
   }
 }
 
-/// Where a sun stands high, Lambert's law; the terminator is 4 degrees wide.
+/// Where a sun stands high, Lambert's law; 20 degrees around the terminator it is blurred.
 TEST(LightMoments, HemispheresOfASun) {
   Image map = makeImage(512, 256, 3);
   map.at(391, 81)[1] = float(kSun);

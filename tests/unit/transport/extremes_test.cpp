@@ -250,6 +250,22 @@ TEST(Extremes, AnOpenMeshThatClaimsToBeAVolumeEndsAtTheScene) {
   }
 }
 
+/// What an open medium absorbs did not arrive straight: its tint is the deposits' to keep.
+TEST(Extremes, LightThroughAnOpenMediumIsNotStraight) {
+  Scene scene = test::glass(1.5f, Rgb(2));
+  scene.materials.push_back(test::lambert(Rgb(0)));
+  test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
+  test::addQuad(scene, {90, -1, 1}, {1, 0, 0}, {0, 0, -2}, vec2(0), vec2(1), 1);  // how deep the medium is
+  const Intersector world(scene);
+  const KernelPaths paths = test::lambertPaths(world, 0, true, 256);
+  ASSERT_GT(paths.deposits.size(), 200u);
+  for (const Deposit& deposit : paths.deposits) {
+    EXPECT_LT(deposit.throughput.x, 0.2f);
+    EXPECT_FALSE(deposit.straight);
+  }
+  for (const FirstDirection& first : paths.first) EXPECT_FALSE(first.straight);
+}
+
 TEST(Extremes, MirroredInstancesOfVolumesAreNotInsideOut) {
   Scene scene = test::diffuseMedium({1, 2, 0}, Rgb(0));
   test::addBox(scene, {1, -1, -1}, {3, 1, 1});
