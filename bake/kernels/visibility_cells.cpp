@@ -110,10 +110,11 @@ double VisibilityCells::overlap(const GridBox& a, const GridBox& b) const {
   return sum;
 }
 
-/// The whole sphere is for the hemisphere to mean.
+/// The whole sphere is for the hemisphere to mean; without it nothing can be taken away.
 double VisibilityCells::gain(const GridBox& box) const {
   if (box.x1 - box.x0 == kColumns && box.y1 - box.y0 == kRows) return 0;
   const dvec2 sum = residual_.sum(box);
+  if (straightPart_ <= kOpenPart && sum.x < 0) return 0;
   return sum.y > 0 ? sum.x * sum.x / sum.y : 0;
 }
 

@@ -15,6 +15,8 @@ namespace boxlight {
 class VisibilityCells {
  public:
   static constexpr int kColumns = 128, kRows = 64;
+  /// Of the samples: where more go straight, boxes take away from the whole sphere.
+  static constexpr double kOpenPart = 0.995;
 
   VisibilityCells(std::span<const FirstDirection> first, vec3 normal);
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/kernels/visibility_fit.h"
 
-#include <Eigen/Dense>
 #include <cassert>
 #include <glm/gtc/packing.hpp>
 
@@ -12,7 +11,7 @@ namespace boxlight {
 namespace {
 
 constexpr double kLeastSamples = 2;  // that a box must explain
-constexpr double kLeastEnergy = 1e-6;
+constexpr int kSweeps = 60;
 
 /// What a box of amplitude 1 returns under a constant light of radiance 1.
 double energyOf(const Box& box, vec3 normal) {
@@ -38,7 +37,7 @@ struct VisibilityFitter::Fit {
 };
 
 void VisibilityFitter::Fit::insertBoxes(const Options& options) {
-  open = cells.straightPart() > 0.5 ? 1 : 0;
+  open = cells.straightPart() > VisibilityCells::kOpenPart ? 1 : 0;
   const double least = std::max(options.worthwhile * cells.worth(), kLeastSamples);
   for (int count = 1; count < options.boxes; ++count) {
     cells.setResidual(open, boxes, amplitudes);
@@ -58,24 +57,31 @@ void VisibilityFitter::Fit::refine() {
   }
 }
 
-/// Least squares; `exact` under the condition that a constant light returns what the paths did.
+/// Least squares with amplitudes from 0 or, where boxes take away from the whole sphere, from -1 on: below 0
+/// a sum would take from the sky what the sun did not send. `exact` scales them to return under a constant
+/// light what the paths did.
 void VisibilityFitter::Fit::solve(bool exact) {
-  const auto count = Eigen::Index(boxes.size());
-  if (count == 0) return;
-  Eigen::MatrixXd gram(count, count);
-  Eigen::VectorXd data(count), energy(count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    data[i] = cells.data(boxes[size_t(i)], open);
-    energy[i] = energyOf(cells.toBox(boxes[size_t(i)]), normal);
-    for (Eigen::Index j = 0; j < count; ++j) gram(i, j) = cells.overlap(boxes[size_t(i)], boxes[size_t(j)]);
+  const size_t count = boxes.size();
+  amplitudes.resize(count, 0.0);
+  std::vector<double> gram(count * count), gradient(count);
+  for (size_t i = 0; i < count; ++i) {
+    gradient[i] = cells.data(boxes[i], open);
+    for (size_t j = 0; j < count; ++j) {
+      gram[i * count + j] = cells.overlap(boxes[i], boxes[j]);
+      gradient[i] -= gram[i * count + j] * amplitudes[j];
+    }
   }
-  const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> solver(gram);
-  Eigen::VectorXd solution = solver.solve(data);
-  const Eigen::VectorXd shift = solver.solve(energy);
-  const double response = energy.dot(shift);
-  if (exact && response * cells.worth() > kLeastEnergy)
-    solution += (cells.straightPart() - open - energy.dot(solution)) / response * shift;
-  amplitudes.assign(solution.begin(), solution.end());
+  for (int sweep = 0; sweep < kSweeps; ++sweep)
+    for (size_t i = 0; i < count; ++i) {
+      const double step = std::max(gradient[i] / gram[i * count + i], -open - amplitudes[i]);
+      amplitudes[i] += step;
+      for (size_t j = 0; j < count; ++j) gradient[j] -= gram[i * count + j] * step;
+    }
+  double energy = 0;
+  for (size_t i = 0; i < count; ++i) energy += amplitudes[i] * energyOf(cells.toBox(boxes[i]), normal);
+  const double scale = (cells.straightPart() - open) / energy;
+  if (exact && scale > 0.5 && scale < 2.0)
+    for (double& amplitude : amplitudes) amplitude *= scale;
 }
 
 /// The whole sphere, if it is there, makes up for the rounding of the others.
