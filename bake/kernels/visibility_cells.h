@@ -16,7 +16,7 @@ class VisibilityCells {
  public:
   static constexpr int kColumns = 128, kRows = 64;
   /// Of the samples: where more go straight, boxes take away from the whole sphere.
-  static constexpr double kOpenPart = 0.995;
+  static constexpr double kOpenPart = 0.97;
 
   VisibilityCells(std::span<const FirstDirection> first, vec3 normal);
 
