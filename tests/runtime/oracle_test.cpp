@@ -360,6 +360,24 @@ TEST_F(OracleTest, SplitLobesKeepEveryViewsHiddenPart) {
   }
 }
 
+/// Against the closed form, not the oracle: a rectangle's moment is its solid angle times its mean direction.
+TEST_F(OracleTest, ConstantLightIsExactInCosineBoxes) {
+  Square square;
+  square.atlasEdge = 32;
+  const auto kernel = [](uint32_t, uint32_t record, uint32_t) { return cosineKernel(0, record, 2); };
+  const auto reader = writeSynthetic(file("even.ptb"), square.makeAsset(), kernel);
+  settings_.environmentDegrees = 123.4f;
+  gpu::FrameRenderer renderer(*device_, reader, constantEnvironment({64, 32}, Rgb(2)), settings_);
+  const auto shaded = renderer.readShaded();
+  for (const auto& [r, glossy] : renderer.readVisible()) {
+    const auto [box, amplitude] = unpackCosineBox(cosineKernel(0, r, 2));
+    const double up = box.solidAngle() * meanDirection(box.u0, box.v0, box.du, box.dv).y / kPiDouble;
+    const double share = box.du >= 1 && box.dv >= 1 ? 1.0 : std::max(up, 0.0), a = double(amplitude);
+    const double tolerance = 2e-5 * std::abs(a) * std::max(share, 0.05);
+    EXPECT_NEAR(double(shaded[2 * r].y), std::max(2 * a * share, 0.0), tolerance + 1e-9) << r;
+  }
+}
+
 TEST_F(OracleTest, ConstantLightIsExactWhateverTheBox) {
   Square square;
   square.atlasEdge = 48;
