@@ -23,6 +23,8 @@ void store(uvec2 at, uint axis, vec3 moment) {
   for (uint c = 0; c < 3; ++c) texels[texel + c] = moment[c] * source.perUnit;
 }
 
+float square(vec3 a) { return dot(a, a) * source.perUnit * source.perUnit; }
+
 void main() {
   uvec2 at = gl_GlobalInvocationID.xy;
   if (any(greaterThanEqual(at, uvec2(kMomentColumns, kMomentRows)))) return;
@@ -44,4 +46,5 @@ void main() {
   store(at, 0, x);
   store(at, 1, y);
   store(at, 2, z);
+  texels[kMomentSquares + at.y * kMomentColumns + at.x] = square(x) + square(y) + square(z);
 }

@@ -80,6 +80,22 @@ struct Hemisphere {
   Moment moment;
 };
 
+/// Of each channel, if it lies above the horizon.
+Hemisphere partAbove(Moment moment, vec3 normal) {
+  vec3 irradiance = along(moment, normal), above = vec3(greaterThan(irradiance, vec3(0.0)));
+  return Hemisphere(above * irradiance, scaled(above, moment));
+}
+
+void addBrightTexels(vec3 normal, inout Hemisphere sum) {
+  uint end = kMomentBright + 1 + 3 * BOXLIGHT_MOMENT(kMomentBright).x;
+  for (uint i = kMomentBright + 1; i < end; i += 3) {
+    MomentSum texel = MomentSum(BOXLIGHT_MOMENT(i).xyz, BOXLIGHT_MOMENT(i + 1).xyz, BOXLIGHT_MOMENT(i + 2).xyz);
+    Hemisphere seen = partAbove(toMoment(texel), normal);
+    sum.irradiance += seen.irradiance;
+    sum.moment = plus(sum.moment, seen.moment);
+  }
+}
+
 Hemisphere hemisphereAbove(vec3 normal) {
   float around = normal.xz == vec2(0.0) ? 0.0 : atan(normal.z, normal.x);
   vec2 at = vec2(0.5 + around / (2.0 * kPi), atan(length(normal.xz), normal.y) / kPi);
@@ -101,7 +117,9 @@ Hemisphere hemisphereAbove(vec3 normal) {
     sum.moment = plus(sum.moment, moment);
     weight += shares.x * shares.y * (1.0 + dot(normal, nodeNormal));
   }
-  return Hemisphere(BOXLIGHT_MOMENT_UNIT / weight * sum.irradiance, scaled(vec3(BOXLIGHT_MOMENT_UNIT), sum.moment));
+  sum.irradiance /= weight;
+  addBrightTexels(normal, sum);
+  return Hemisphere(BOXLIGHT_MOMENT_UNIT * sum.irradiance, scaled(vec3(BOXLIGHT_MOMENT_UNIT), sum.moment));
 }
 
 /// box.h: isCosineBox.
@@ -122,11 +140,7 @@ void addCosineBox(uvec4 packed, vec3 normal, inout StraightLight sum) {
   } else {
     uvec2 corner = uvec2(packed.x & 0xFFFFu, packed.x >> 16), size = uvec2(packed.y & 0xFFFFu, packed.y >> 16) + 1;
     uvec2 rows = uvec2(corner.y, min(corner.y + size.y, 65536)) / (65536 / kMomentRows);
-    seen.moment = integrateMoments(float(corner.x) / 65536.0, float(size.x) / 65536.0, rows);
-    seen.irradiance = along(seen.moment, normal);
-    vec3 above = vec3(greaterThan(seen.irradiance, vec3(0.0)));  // of light below the horizon
-    seen.irradiance *= above;
-    seen.moment = scaled(above, seen.moment);
+    seen = partAbove(integrateMoments(float(corner.x) / 65536.0, float(size.x) / 65536.0, rows), normal);
   }
   sum.irradiance += amplitude * seen.irradiance;
   sum.moment = plus(sum.moment, scaled(vec3(amplitude), seen.moment));

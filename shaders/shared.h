@@ -66,7 +66,7 @@ SHARED_CONSTANT kLightHighlights = 8;  // Highlight
 SHARED_CONSTANT kMomentConstants = 9;  // MomentConstants
 SHARED_CONSTANT kMomentCovers = 10;    // MomentCover::Texel of every column, then of every row of the lattice
 SHARED_CONSTANT kMomentWeights = 11;   // floats: three a column's share, then two a row's
-SHARED_CONSTANT kMomentTexels = 12;    // floats[axis][row][column][channel] in units of the table
+SHARED_CONSTANT kMomentTexels = 12;    // floats[axis][row][column][channel] in units of the table, then the sum of their squares
 SHARED_CONSTANT kMomentCells = 13;     // vec4[cell][axis]: moments of R, G, B and of a light of 1
 SHARED_CONSTANT kMomentTable = 14;     // kBindMoments of the frame
 
@@ -150,6 +150,12 @@ SHARED_CONSTANT kHorizonCellColumns = 32;
 SHARED_CONSTANT kHorizonCellRows = 16;
 SHARED_CONSTANT kHorizonCellCount = kHorizonCellColumns * kHorizonCellRows;
 SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place of the first
+// Then the number of bright texels (bright_texels.h), which nodes leave out, and uvec4[bright][axis]: their sums and
+// the cell that they lie in.
+SHARED_CONSTANT kBrightTexels = 32;
+SHARED_CONSTANT kMomentBright = kMomentNodes + 3 * kHorizonNodeCount;
+SHARED_CONSTANT kMomentEnd = kMomentBright + 1 + 3 * kBrightTexels;
+SHARED_CONSTANT kMomentSquares = 9 * kMomentColumns * kMomentRows;  // place among the lattice's texels
 
 struct FrameConstants {
   vec4 eye;           // xyz; w = distance of the near plane

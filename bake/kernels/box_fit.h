@@ -12,8 +12,10 @@
 namespace boxlight {
 
 struct FitOptions {
-  int boxes = 8;      ///< at most; 1 to 64
-  int gridSize = 32;  ///< cells per side of the grid that box edges lie on; 2 to 64
+  int boxes = 8;  ///< at most; 1 to 64
+  /// Cells per side of the grid that box edges lie on, at most; 2 to 64. A grid has as many as there are
+  /// deposits in all, but no fewer than 32 per side: finer ones cost time and fit the noise.
+  int gridSize = 64;
   /// p in |integral of the residual|^2 / Omega^p. 1 is plain least squares, which overspends on peaks.
   float gainExponent = 0.7f;
   /// Variances of its own integral that a box's squared integral must beat. 0 fits noise as if it were

@@ -8,6 +8,8 @@
 namespace boxlight {
 namespace {
 
+constexpr int kLeastSize = 32;
+
 int rasterColumn(vec2 uv) { return std::clamp(int(uv.x * float(kRasterColumns)), 0, kRasterColumns - 1); }
 int rasterRow(vec2 uv) { return std::clamp(int(uv.y * float(kRasterRows)), 0, kRasterRows - 1); }
 
@@ -57,6 +59,10 @@ bool DepositGrid::build(std::span<const Deposit> deposits, float noise) {
   return true;
 }
 
+int DepositGrid::sizeFor(size_t deposits) const {
+  return std::min(size_, std::max(kLeastSize, int(std::sqrt(double(deposits)))));
+}
+
 void DepositGrid::chooseLines(std::span<const Deposit> deposits) {
   std::fill(columnEnergy_.begin(), columnEnergy_.end(), 0.0f);
   std::fill(rowEnergy_.begin(), rowEnergy_.end(), 0.0f);
@@ -66,8 +72,9 @@ void DepositGrid::chooseLines(std::span<const Deposit> deposits) {
     columnEnergy_[rasterColumn(deposit.uv)] += energy;
     rowEnergy_[rasterRow(deposit.uv)] += energy;
   }
-  quantileLines(columnEnergy_, size_, columnLines_);
-  quantileLines(rowEnergy_, size_, rowLines_);
+  const int size = sizeFor(deposits.size());
+  quantileLines(columnEnergy_, size, columnLines_);
+  quantileLines(rowEnergy_, size, rowLines_);
   invertLines(columnLines_, columnOfRaster_);
   invertLines(rowLines_, rowOfRaster_);
   for (int x = 1, count = int(columnLines_.size()) - 1; x <= count; ++x)

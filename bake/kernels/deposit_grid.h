@@ -26,7 +26,8 @@ inline constexpr int kRasterRows = 512;
 /// deposits sum to 1 over the three channels.
 class DepositGrid {
  public:
-  explicit DepositGrid(int size);  ///< at most size x size cells
+  /// At most size x size cells, and beyond 32 x 32 no more than deposits.
+  explicit DepositGrid(int size);
 
   /// False if the deposits carry no energy. Each cell's last lane is the sum of noise * |throughput|^2.
   bool build(std::span<const Deposit> deposits, float noise);
@@ -55,6 +56,7 @@ class DepositGrid {
   Box toBox(const GridBox& box) const;
 
  private:
+  int sizeFor(size_t deposits) const;
   void chooseLines(std::span<const Deposit> deposits);
   void bin(std::span<const Deposit> deposits, float noise);
 

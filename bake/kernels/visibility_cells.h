@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "bake/kernels/deposit_grid.h"
+#include "bake/kernels/visibility_table.h"
 
 namespace boxlight {
 
@@ -14,10 +14,6 @@ namespace boxlight {
 /// from there, c^2 N/pi a steradian.
 class VisibilityCells {
  public:
-  static constexpr int kColumns = 128, kRows = 64;
-  /// Of the samples: where more go straight, boxes take away from the whole sphere.
-  static constexpr double kOpenPart = 0.97;
-
   VisibilityCells(std::span<const FirstDirection> first, vec3 normal);
 
   double straightPart() const { return straightPart_; }  ///< of all samples
@@ -27,32 +23,26 @@ class VisibilityCells {
   double data(const GridBox& box, double open) const;
   double overlap(const GridBox& a, const GridBox& b) const;
 
-  /// The residual that find and descend work on.
-  void setResidual(double open, const std::vector<GridBox>& boxes, const std::vector<double>& amplitudes);
-  /// The box that explains most of the residual, and how much.
-  double find(GridBox& best) const;
-  double descend(GridBox& box, int sweeps) const;
+  /// The sum of all boxes. Then a box's amplitude may be changed by `step`, or as much of it as leaves the
+  /// sum between -1 and 0 wherever it was there; returns how much.
+  void paint(const std::vector<GridBox>& boxes, const std::vector<double>& amplitudes);
+  double takeAway(const GridBox& box, double step);
+
+  /// Of every cell the residual and the weight that VisibilitySearch works on. Valid until the next call.
+  const std::vector<dvec2>& residual(double open, const std::vector<GridBox>& boxes,
+                                     const std::vector<double>& amplitudes);
 
   Box toBox(const GridBox& box) const;
 
  private:
-  /// A summed-area table of two numbers a cell.
-  struct Table {
-    std::vector<dvec2> sums = std::vector<dvec2>(size_t(kColumns + 1) * (kRows + 1), dvec2(0));
-    dvec2 leftOf(int x, int y0, int y1) const {
-      return sums[size_t(y1) * (kColumns + 1) + x] - sums[size_t(y0) * (kColumns + 1) + x];
-    }
-    dvec2 sum(const GridBox& box) const;
-    void build(const std::vector<dvec2>& cells);
-  };
-  double gain(const GridBox& box) const;
-  bool move(GridBox& box, double& best) const;
+  template <class Run>
+  void forRuns(const GridBox& box, const Run& run);
 
   double straightPart_ = 0, worth_ = 0;
   std::vector<dvec2> cells_;     // sum of c_i v_i, sum of c_i
-  std::vector<double> weights_;  // what boxes return: sum of c_i, and the part below the horizon
-  Table data_, residual_;        // residual and weight
-  std::vector<double> paint_;
+  std::vector<dvec2> weighted_;  // residual, and what boxes return: sum of c_i and the part below the horizon
+  VisibilityTable data_, weights_;
+  std::vector<float> paint_;
 };
 
 }  // namespace boxlight

@@ -5,13 +5,17 @@
 #include <glm/gtc/packing.hpp>
 
 #include "bake/kernels/visibility_cells.h"
+#include "bake/kernels/visibility_search.h"
 #include "common/light/light_domain.h"
 
 namespace boxlight {
 namespace {
 
+/// Of the samples: where more go straight, boxes take away from the whole sphere.
+constexpr double kOpenPart = 0.8;
 constexpr double kLeastSamples = 2;  // that a box must explain
 constexpr int kSweeps = 60;
+constexpr double kConverged = 1e-3;  // change of an amplitude in a sweep
 
 /// What a box of amplitude 1 returns under a constant light of radiance 1.
 double energyOf(const Box& box, vec3 normal) {
@@ -26,41 +30,43 @@ struct VisibilityFitter::Fit {
 
   void insertBoxes(const Options& options);
   void refine();
-  void solve(bool exact);
+  void updateResidual() { search.build(cells.residual(open, boxes, amplitudes), open > 0); }
+  void solve();
+  void scaleToPaths();
   std::vector<CosineBox> result() const;
 
   vec3 normal;
   VisibilityCells cells;
+  VisibilitySearch search;
   std::vector<GridBox> boxes;
   std::vector<double> amplitudes;
   double open = 0;  // amplitude of the whole sphere
 };
 
 void VisibilityFitter::Fit::insertBoxes(const Options& options) {
-  open = cells.straightPart() > VisibilityCells::kOpenPart ? 1 : 0;
+  open = cells.straightPart() > kOpenPart ? 1 : 0;
   const double least = std::max(options.worthwhile * cells.worth(), kLeastSamples);
   for (int count = 1; count < options.boxes; ++count) {
-    cells.setResidual(open, boxes, amplitudes);
+    updateResidual();
     GridBox box;
-    if (cells.find(box) < least) break;
+    if (search.find(box) < least) break;
     boxes.push_back(box);
-    solve(false);
+    solve();
   }
 }
 
 void VisibilityFitter::Fit::refine() {
   for (size_t i = 0; i < boxes.size(); ++i) {
     amplitudes[i] = 0;
-    cells.setResidual(open, boxes, amplitudes);
-    cells.descend(boxes[i], 2);
-    solve(false);
+    updateResidual();
+    search.descend(boxes[i], 2);
+    solve();
   }
 }
 
-/// Least squares with amplitudes from 0 or, where boxes take away from the whole sphere, from -1 on: below 0
-/// a sum would take from the sky what the sun did not send. `exact` scales them to return under a constant
-/// light what the paths did.
-void VisibilityFitter::Fit::solve(bool exact) {
+/// Least squares with amplitudes from 0, or of boxes that take away from the whole sphere: there their sum is
+/// kept in [-1, 0] everywhere, for below it they would take from the sky what a hidden sun did not send.
+void VisibilityFitter::Fit::solve() {
   const size_t count = boxes.size();
   amplitudes.resize(count, 0.0);
   std::vector<double> gram(count * count), gradient(count);
@@ -71,20 +77,30 @@ void VisibilityFitter::Fit::solve(bool exact) {
       gradient[i] -= gram[i * count + j] * amplitudes[j];
     }
   }
-  for (int sweep = 0; sweep < kSweeps; ++sweep)
+  cells.paint(boxes, amplitudes);
+  double largest = 1;
+  for (int sweep = 0; sweep < kSweeps && largest > kConverged; ++sweep) {
+    largest = 0;
     for (size_t i = 0; i < count; ++i) {
-      const double step = std::max(gradient[i] / gram[i * count + i], -open - amplitudes[i]);
+      const double wanted = gradient[i] / gram[i * count + i];
+      const double step = open > 0 ? cells.takeAway(boxes[i], wanted) : std::max(wanted, -amplitudes[i]);
       amplitudes[i] += step;
+      largest = std::max(largest, std::abs(step));
       for (size_t j = 0; j < count; ++j) gradient[j] -= gram[i * count + j] * step;
     }
+  }
+}
+
+/// Boxes that stand alone return under a constant light what the paths did.
+void VisibilityFitter::Fit::scaleToPaths() {
   double energy = 0;
-  for (size_t i = 0; i < count; ++i) energy += amplitudes[i] * energyOf(cells.toBox(boxes[i]), normal);
-  const double scale = (cells.straightPart() - open) / energy;
-  if (exact && scale > 0.5 && scale < 2.0)
+  for (size_t i = 0; i < boxes.size(); ++i) energy += amplitudes[i] * energyOf(cells.toBox(boxes[i]), normal);
+  const double scale = cells.straightPart() / energy;
+  if (scale > 0.5 && scale < 2.0)
     for (double& amplitude : amplitudes) amplitude *= scale;
 }
 
-/// The whole sphere, if it is there, makes up for the rounding of the others.
+/// The whole sphere, if it is there, makes up for what the others miss.
 std::vector<CosineBox> VisibilityFitter::Fit::result() const {
   std::vector<CosineBox> result;
   double rest = cells.straightPart();
@@ -103,7 +119,8 @@ std::vector<CosineBox> VisibilityFitter::fit(std::span<const FirstDirection> fir
   Fit fit(first, normal);
   fit.insertBoxes(options_);
   for (int round = 0; round < options_.refinements; ++round) fit.refine();
-  fit.solve(true);
+  fit.solve();
+  if (fit.open == 0) fit.scaleToPaths();
   return fit.result();
 }
 

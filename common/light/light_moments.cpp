@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "common/light/bright_texels.h"
 #include "common/light/light_domain.h"
 #include "common/light/light_map.h"
 #include "common/light/summed_area.h"
@@ -48,6 +49,7 @@ LightMoments::LightMoments(const Image& lightMap)
     : sums_(size_t(kColumns + 1) * (kRows + 1), dmat3(0.0)),
       nodes_(size_t(kHorizonNodes.x) * kHorizonNodes.y, dmat3(0.0)) {
   addTexels(lightMap);
+  separateBrightTexels(lightMap);
   makeNodes();
 }
 
@@ -75,12 +77,35 @@ dmat3 LightMoments::cell(uint32_t x, uint32_t y) const {
          (sum(x * kWide + kWide, y * kHigh) - sum(x * kWide, y * kHigh));
 }
 
+void LightMoments::separateBrightTexels(const Image& lightMap) {
+  const std::vector<double> solidAngles = texelSolidAngles(lightMap.width, lightMap.height);
+  dvec3 total(0.0);
+  for (uint32_t y = 0; y < lightMap.height; ++y)
+    for (uint32_t x = 0; x < lightMap.width; ++x) total += solidAngles[y] * dvec3(rgbAt(lightMap, x, y));
+  const double most = std::max({total.x, total.y, total.z});
+  if (!(most > 0.0)) return;
+  std::vector<double> strengths;
+  for (uint32_t i = 0; i < kColumns * kRows; ++i) {
+    const dmat3 moment = strip(i % kColumns, i / kColumns, i / kColumns + 1) / most;
+    strengths.push_back(std::sqrt(glm::dot(moment[0], moment[0]) + glm::dot(moment[1], moment[1]) +
+                                  glm::dot(moment[2], moment[2])));
+  }
+  brightTexels_ = findBrightTexels(strengths);
+  for (const uint32_t i : brightTexels_)
+    bright_.push_back(strip(i % kColumns, i / kColumns, i / kColumns + 1));
+}
+
 /// What cells on the horizon lose or have too much is made up for by their mean radiance.
 void LightMoments::makeNodes() {
   std::vector<std::pair<dmat3, dvec3>> cells;
   for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i)
     cells.emplace_back(cell(i % kHorizonCells.x, i / kHorizonCells.x),
                        cellOfOne(i % kHorizonCells.x, i / kHorizonCells.x));
+  for (size_t k = 0; k < bright_.size(); ++k) {
+    const uvec2 texel(brightTexels_[k] % kColumns, brightTexels_[k] / kColumns);
+    const uvec2 at = texel / (kMomentSize / kHorizonCells);
+    cells[at.y * kHorizonCells.x + at.x].first -= bright_[k];
+  }
   for (uint32_t i = 0; i < nodes_.size(); ++i) {
     const dvec3 normal = direction(double(i % kHorizonNodes.x) / kHorizonNodes.x,
                                    double(i / kHorizonNodes.x) / (kHorizonNodes.y - 1));
@@ -139,7 +164,13 @@ LightMoments::Hemisphere LightMoments::hemisphere(dvec3 normal, double uOffset) 
     sum += share * ((n + at) * node);
     weight += share * (1.0 + glm::dot(n, at));
   }
-  return {sum / weight, turned(moment, -2.0 * kPiDouble * uOffset)};
+  sum /= weight;
+  for (const dmat3& bright : bright_) {
+    const dmat3 seen = above(bright, n);
+    sum += n * seen;
+    moment += seen;
+  }
+  return {sum, turned(moment, -2.0 * kPiDouble * uOffset)};
 }
 
 }  // namespace boxlight

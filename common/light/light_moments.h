@@ -23,9 +23,8 @@ class LightMoments {
   dmat3 integrate(const Rectangle& rectangle, double uOffset = 0.0) const;
 
   /// n.w integrated over the hemisphere above the unit vector `normal`: `irradiance`, exact for a constant
-  /// light and, away from their terminators, for point lights; within 2 % of its strongest 20 degrees
-  /// around the terminator of one. `moment` . normal is the same nearly, and `moment` is good for its
-  /// tangential part.
+  /// light and for what is small and bright (findBrightTexels), smoothed over some degrees elsewhere.
+  /// `moment` . normal is the same nearly, and `moment` is good for its tangential part.
   struct Hemisphere {
     dvec3 irradiance;
     dmat3 moment;
@@ -34,13 +33,16 @@ class LightMoments {
 
  private:
   void addTexels(const Image& lightMap);
+  void separateBrightTexels(const Image& lightMap);
   void makeNodes();
   dmat3 cell(uint32_t x, uint32_t y) const;
   dmat3 strip(uint32_t x, uint32_t y0, uint32_t y1) const;
   const dmat3& sum(uint32_t x, uint32_t y) const { return sums_[size_t(y) * (kMomentSize.x + 1) + x]; }
 
-  std::vector<dmat3> sums_;   // over everything above and left of a lattice point
-  std::vector<dmat3> nodes_;  // moments of hemispheres
+  std::vector<dmat3> sums_;  // over everything above and left of a lattice point
+  std::vector<uint32_t> brightTexels_;
+  std::vector<dmat3> bright_;  // their moments
+  std::vector<dmat3> nodes_;   // moments of hemispheres, without those
 };
 
 }  // namespace boxlight

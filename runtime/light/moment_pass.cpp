@@ -5,9 +5,11 @@
 #include <cmath>
 #include <span>
 
+#include "common/light/bright_texels.h"
 #include "common/light/light_domain.h"
 #include "common/light/moment_cover.h"
 #include "shaders/shared.h"
+#include "spirv/bright_texels_comp.h"
 #include "spirv/moment_cells_comp.h"
 #include "spirv/moment_columns_comp.h"
 #include "spirv/moment_nodes_comp.h"
@@ -20,6 +22,7 @@ namespace {
 static_assert(kMomentColumns == kMomentSize.x && kMomentRows == kMomentSize.y);
 static_assert(kHorizonColumns == kHorizonNodes.x && kHorizonRows == kHorizonNodes.y);
 static_assert(kHorizonCellColumns == kHorizonCells.x && kHorizonCellRows == kHorizonCells.y);
+static_assert(gpu::kBrightTexels == boxlight::kBrightTexels);
 
 constexpr int kTotalBits = 30;     // a sum of either sign, and as much again
 constexpr double kMargin = 1.001;  // of sums rounded to floats
@@ -71,11 +74,12 @@ MomentPass::MomentPass(Device& device, Bindings& bindings, uvec2 mapSize)
       constants_(device, "constants of the moments", sizeof(MomentConstants)),
       covers_(device, "covers of the moments", 0),
       weights_(device, "weights of the moments", 0),
-      texels_(device, "texels of the moments", 9 * kMomentColumns * kMomentRows * sizeof(float)),
+      texels_(device, "texels of the moments", 10 * kMomentColumns * kMomentRows * sizeof(float)),
       cells_(makeBuffer(device, "cells of the moments", makeCells())),
       moments_(device, bindings, moments_comp),
       rows_(device, bindings, moment_rows_comp),
       columns_(device, bindings, moment_columns_comp),
+      brightTexels_(device, bindings, bright_texels_comp),
       cellSums_(device, bindings, moment_cells_comp),
       nodes_(device, bindings, moment_nodes_comp) {
   const MomentCover cover = makeMomentCover(mapSize);
@@ -84,7 +88,7 @@ MomentPass::MomentPass(Device& device, Bindings& bindings, uvec2 mapSize)
   weights_ = makeBuffer(device, "weights of the moments", weightsOf(cover));
   const std::vector<uvec4> nodes = makeNodes();
   for (int i = 0; i < 2; ++i) {
-    tables_.emplace_back(device, "moments of the light", (kMomentNodes + nodes.size()) * sizeof(uvec4));
+    tables_.emplace_back(device, "moments of the light", kMomentEnd * sizeof(uvec4));
     upload(device, tables_.back(), std::as_bytes(std::span(nodes)), kMomentNodes * sizeof(uvec4));
   }
   bindings.set(gpu::kMomentConstants, constants_);
@@ -108,6 +112,7 @@ void MomentPass::build(Commands& commands) const {
   commands.dispatch(moments_, {kMomentColumns / kPixelGroup, kMomentRows / kPixelGroup, 1});
   commands.dispatch(rows_, {groupsFor(3 * kMomentRows), 1, 1});
   commands.dispatch(columns_, {groupsFor(3 * kMomentStride), 1, 1});
+  commands.dispatch(brightTexels_, {1, 1, 1});
   commands.dispatch(cellSums_, {groupsFor(3 * kHorizonCellCount), 1, 1});
   commands.dispatch(nodes_, {groupsFor(kHorizonNodeCount), 1, 1});
 }

@@ -15,14 +15,17 @@ namespace boxlight::accuracy {
 struct Basis {
   std::string name;
   uint32_t terms, bytes;
-  /// What the representation returns under every probe light. Thread-safe.
-  std::function<Radiances(const KernelPaths&)> relight;
+  /// What the representation returns under every probe light, at the texel's normal. Thread-safe.
+  std::function<Radiances(const KernelPaths&, vec3 normal)> relight;
 };
 
 inline constexpr uint32_t kBytesOfBox = 12;  ///< 12-bit edges, three half floats
 
 /// Boxes by BoxFitter, packed as in an asset.
 Basis boxBasis(const std::vector<ProbeLight>& lights, uint32_t boxes);
+
+/// Of a Lambert kernel: cosine boxes for what arrives straight, boxes for the rest, as a bake makes them.
+Basis lambertBasis(const std::vector<ProbeLight>& lights, uint32_t boxes);
 
 /// Real spherical harmonics of the first `bands` bands, half floats (6 bytes for three channels): the
 /// projections of the deposits. Ramamoorthi and Hanrahan, SIGGRAPH 2001; Sloan et al., SIGGRAPH 2002.

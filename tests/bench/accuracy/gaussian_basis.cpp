@@ -109,7 +109,8 @@ Radiances integrate(const std::vector<Gaussian>& mixture, const std::vector<Prob
 }  // namespace
 
 Basis gaussianBasis(const std::vector<ProbeLight>& lights, uint32_t gaussians) {
-  return {"spherical Gaussians", gaussians, gaussians * 12, [&lights, gaussians](const KernelPaths& paths) {
+  return {"spherical Gaussians", gaussians, gaussians * 12,
+          [&lights, gaussians](const KernelPaths& paths, vec3) {
             const std::vector<Sample> samples = samplesOf(paths);
             if (samples.empty()) return Radiances(lights.size(), dvec3(0.0));
             std::vector<Gaussian> mixture = startOf(samples, gaussians);

@@ -79,7 +79,7 @@ Basis harmonicBasis(const std::vector<ProbeLight>& lights, uint32_t bands) {
   auto projected = std::make_shared<std::vector<Coefficients>>();
   for (const ProbeLight& light : lights) projected->push_back(projectLight(light, bands));
   return {"spherical harmonics", bands * bands, bands * bands * 6,
-          [projected, bands](const KernelPaths& paths) {
+          [projected, bands](const KernelPaths& paths, vec3) {
             const Coefficients kernel = projectKernel(paths, bands);
             Radiances radiance;
             for (const Coefficients& light : *projected) {

@@ -22,10 +22,6 @@ bool isOf(const RecordPlan& plan, Gloss gloss) {
   return gloss == Gloss::rough ? alpha > 0.149f && alpha < 0.501f : alpha > 0.009f && alpha < 0.101f;
 }
 
-vec3 normalOf(const RecordPlan& plan) {
-  return {plan.record.normal[0], plan.record.normal[1], plan.record.normal[2]};
-}
-
 }  // namespace
 
 const char* nameOf(Gloss gloss) {
@@ -50,7 +46,7 @@ double LabScene::visiblePart(const PathOrigin& origin, vec3 view, const StreamKe
 /// inside.
 void LabScene::pickViews(Subject& subject, const SubjectOptions& options, uint64_t seed) const {
   lab::Random random(seed);
-  const vec3 normal = normalOf(subject.plan);
+  const vec3 normal = subject.normal();
   const PathOrigin origin = subject.plan.origin(*world_, map_);
   for (uint32_t tries = 0; subject.views.size() < options.viewsEach && tries < 1000; ++tries) {
     const uvec3 corners = sphere_.triangles()[size_t(random.uniform() * float(sphere_.triangles().size()))];

@@ -19,8 +19,9 @@ struct Subject {
   RecordPlan plan;
   std::vector<uint32_t> views;  ///< stored views
   std::vector<vec3> between;    ///< directions inside view triangles; none for Gloss::diffuse
-  double occlusionChange =
-      0;  ///< mean over triangles of how the visible part of the lobe varies between corners
+  /// Mean over triangles of how the visible part of the lobe varies between corners.
+  double occlusionChange = 0;
+  vec3 normal() const { return {plan.record.normal[0], plan.record.normal[1], plan.record.normal[2]}; }
 };
 
 struct SubjectOptions {

@@ -121,7 +121,7 @@ void tryDirect(const KernelPaths& paths, const std::vector<ProbeLight>& lights, 
   sample.trials.push_back({about, relightDeposits(paths, lights)});
   const Basis boxes = boxBasis(lights, 8);
   about.method = "direct fit", about.terms = boxes.terms, about.bytes = boxes.bytes;
-  sample.trials.push_back({about, boxes.relight(paths)});
+  sample.trials.push_back({about, boxes.relight(paths, {})});
 }
 
 /// With as many boxes for what is hidden as a bake has, and with others.

@@ -8,9 +8,9 @@
 namespace boxlight::accuracy {
 namespace {
 
-void tryBasis(const Basis& basis, const KernelPaths& paths, const Row& about, Sample& sample) {
+void tryBasis(const Basis& basis, const KernelPaths& paths, vec3 normal, const Row& about, Sample& sample) {
   const auto start = std::chrono::steady_clock::now();
-  Radiances value = basis.relight(paths);
+  Radiances value = basis.relight(paths, normal);
   const std::chrono::duration<double, std::milli> took = std::chrono::steady_clock::now() - start;
   Row row = about;
   row.method = basis.name, row.terms = basis.terms, row.bytes = basis.bytes, row.paths = paths.traced;
@@ -19,12 +19,15 @@ void tryBasis(const Basis& basis, const KernelPaths& paths, const Row& about, Sa
 }
 
 Basis floorOf(const std::vector<ProbeLight>& lights) {
-  return {"deposits", 0, 0, [&lights](const KernelPaths& paths) { return relightDeposits(paths, lights); }};
+  return {"deposits", 0, 0,
+          [&lights](const KernelPaths& paths, vec3) { return relightDeposits(paths, lights); }};
 }
 
-std::vector<Basis> basesOf(const std::vector<ProbeLight>& lights, const MeasureOptions& options) {
+std::vector<Basis> basesOf(const std::vector<ProbeLight>& lights, Gloss gloss,
+                           const MeasureOptions& options) {
   std::vector<Basis> bases{floorOf(lights)};
-  for (const uint32_t boxes : options.boxes) bases.push_back(boxBasis(lights, boxes));
+  for (const uint32_t boxes : options.boxes)
+    bases.push_back(gloss == Gloss::diffuse ? lambertBasis(lights, boxes) : boxBasis(lights, boxes));
   const auto haar = makeCubeHaar(lights);
   for (const uint32_t bands : {3, 4, 8}) bases.push_back(harmonicBasis(lights, bands));
   for (const uint32_t coefficients : {6, 12, 48}) bases.push_back(waveletBasis(haar, coefficients));
@@ -37,7 +40,7 @@ std::vector<Basis> basesOf(const std::vector<ProbeLight>& lights, const MeasureO
 std::vector<Row> measureAtViews(const LabScene& scene, Gloss gloss, const std::vector<ProbeLight>& lights,
                                 const MeasureOptions& options) {
   const std::vector<Subject> subjects = scene.pick(gloss, options.subjects);
-  const std::vector<Basis> bases = basesOf(lights, options);
+  const std::vector<Basis> bases = basesOf(lights, gloss, options);
   std::vector<std::pair<size_t, uint32_t>> tasks;  // subject, view
   for (size_t s = 0; s < subjects.size(); ++s)
     for (const uint32_t view : subjects[s].views) tasks.emplace_back(s, view);
@@ -51,7 +54,7 @@ std::vector<Row> measureAtViews(const LabScene& scene, Gloss gloss, const std::v
     for (const uint32_t count : {options.paths, options.cleanPaths}) {
       KernelPaths paths;
       scene.trace(subject, gloss, direction, view, count, paths);
-      for (const Basis& basis : bases) tryBasis(basis, paths, about, samples[i]);
+      for (const Basis& basis : bases) tryBasis(basis, paths, subject.normal(), about, samples[i]);
     }
   });
   std::vector<Row> rows = tally(samples, lights);

@@ -107,8 +107,9 @@ std::shared_ptr<const CubeHaar> makeCubeHaar(const std::vector<ProbeLight>& ligh
 }
 
 Basis waveletBasis(std::shared_ptr<const CubeHaar> haar, uint32_t coefficients) {
-  return {"Haar wavelets", coefficients, coefficients * 8,
-          [haar, coefficients](const KernelPaths& paths) { return haar->relight(paths, coefficients); }};
+  return {
+      "Haar wavelets", coefficients, coefficients * 8,
+      [haar, coefficients](const KernelPaths& paths, vec3) { return haar->relight(paths, coefficients); }};
 }
 
 }  // namespace boxlight::accuracy
