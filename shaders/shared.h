@@ -66,9 +66,10 @@ SHARED_CONSTANT kLightHighlights = 8;  // Highlight
 SHARED_CONSTANT kMomentConstants = 9;  // MomentConstants
 SHARED_CONSTANT kMomentCovers = 10;    // MomentCover::Texel of every column, then of every row of the lattice
 SHARED_CONSTANT kMomentWeights = 11;   // floats: three a column's share, then two a row's
-SHARED_CONSTANT kMomentTexels = 12;    // floats[axis][row][column][channel] in units of the table, then the sum of their squares
-SHARED_CONSTANT kMomentCells = 13;     // vec4[cell][axis]: moments of R, G, B and of a light of 1
-SHARED_CONSTANT kMomentTable = 14;     // kBindMoments of the frame
+SHARED_CONSTANT kMomentTexels =
+    12;  // floats[axis][row][column][channel] in units of the table, then the sum of their squares
+SHARED_CONSTANT kMomentCells = 13;  // vec4[cell][axis]: moments of R, G, B and of a light of 1
+SHARED_CONSTANT kMomentTable = 14;  // kBindMoments of the frame
 
 // Bindings of the window's own set.
 SHARED_CONSTANT kBindShown = 0;    // linear RGBA, premultiplied, vec4[shownSize]
@@ -150,8 +151,8 @@ SHARED_CONSTANT kHorizonCellColumns = 32;
 SHARED_CONSTANT kHorizonCellRows = 16;
 SHARED_CONSTANT kHorizonCellCount = kHorizonCellColumns * kHorizonCellRows;
 SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place of the first
-// Then the number of bright texels (bright_texels.h), which nodes leave out, and uvec4[bright][axis]: their sums and
-// the cell that they lie in.
+// Then the number of bright texels (bright_texels.h), which nodes leave out, and uvec4[bright][axis]: their
+// sums and the cell that they lie in.
 SHARED_CONSTANT kBrightTexels = 32;
 SHARED_CONSTANT kMomentBright = kMomentNodes + 3 * kHorizonNodeCount;
 SHARED_CONSTANT kMomentEnd = kMomentBright + 1 + 3 * kBrightTexels;
