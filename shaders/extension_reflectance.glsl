@@ -5,7 +5,7 @@
 #include "pixel_lobe.glsl"
 
 const uint kPixelLobes = 2;  // the base's and the coat's
-const float kLeastGloss = 1e-6;  // that kernels are divided by; paths.cpp
+const float kLeastGloss = 1e-4;  // that kernels are divided by; paths.cpp
 
 /// What a pixel multiplies the demodulated radiance with, of the seen side and of the other one, and what it adds.
 struct Reflectance {

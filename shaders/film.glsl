@@ -41,6 +41,7 @@ vec3 filmedFresnel(Surface surface, Film film, float vDotH) {
 }
 
 const float kLeastFilmWidth = 0.01;  // film_lobe.cpp
+const float kLeastReflected = 1e-6;  // that the kernels' factor is divided by
 
 /// film_lobe.h: fitFresnel.
 void fitFilm(inout GgxLobe lobe, Surface surface, Film film) {
@@ -74,7 +75,7 @@ void reflectFilm(inout Reflectance result, Surface surface, Film film, BaseLayer
   vec3 own = clamp(lobe.f0 * base.albedo.x + lobe.f90 * base.albedo.y, kLeastFilmed * whole, whole);
   if (lobe.albedo != vec3(0.0)) result.lobe[0].albedo = own;
   vec3 assumed = result.reflected[0];
-  result.reflected[0] *= own / max(base.reflected, kLeastGloss);
+  result.reflected[0] *= own / max(base.reflected, kLeastReflected);
   result.filmed = result.reflected[0] - assumed;
 }
 

@@ -61,6 +61,26 @@ TEST(Paths, GlossyKernelsAreDividedByTheirAlbedo) {
   }
 }
 
+/// A film over nothing may reflect one channel where the kernels' factor has none of it.
+TEST(Paths, GlossyKernelsOfFilmsFitHalfFloats) {
+  OneTexel texel(test::lambert(Rgb(0.5f)));
+  texel.scene.materials[0].specular = 0, texel.scene.materials[0].roughness = 0.25f;
+  test::makeExtensions(texel.scene);
+  asset::MaterialExtension& film = texel.scene.materialExtensions[0];
+  film.iridescence = 1, film.iridescenceIor = 1.3f, film.iridescenceThickness[1] = 300;
+  const PathOrigin origin = texel.origin();
+  const Intersector world(texel.scene);
+  float largest = 0;
+  for (float cosine = 0.1f; cosine < 1; cosine += 0.02f) {
+    KernelPaths paths;
+    const vec3 wo(std::sqrt(1 - cosine * cosine), cosine, 0);
+    PathTracer(world, {}).traceGlossy(origin, wo, {1, 0, 0}, 256, paths);
+    if (paths.traced > 0) largest = std::max(largest, maxComponent(meanThroughput(paths)));
+  }
+  EXPECT_GT(largest, 100.0f);
+  EXPECT_LT(largest, 65504.0f);
+}
+
 TEST(Paths, WhatIsNotMirroredStraightIsTheHiddenPart) {
   OneTexel texel(test::metal(0.4f));
   test::makeExtensions(texel.scene);
