@@ -69,6 +69,16 @@ def between(rows):
     return table(["scheme, boxes", *gloss], lines)
 
 
+def by_alpha(rows):
+    lines = []
+    for place in [p for p in rows.values("place") if p.startswith("between, ")]:
+        for scene in rows.where(place=place).values("scene"):
+            found = rows.where(place=place, scene=scene)
+            methods = [cell(found.where(method=name).rows) for name in ("direct fit", "split", CELLS.format(362))]
+            lines.append([place.removeprefix("between, alpha "), scene, *methods])
+    return table(["alpha", "scene", "direct fit, 8 boxes", "split", "cells"], lines)
+
+
 def by_scene(rows):
     lines = []
     for scene in sorted({r["scene"] for r in rows.rows}):
@@ -112,6 +122,7 @@ def page(schemes, *results):
         "bases": bases(rows, 1024),
         "bases_clean": bases(rows, clean),
         "between": between(rows),
+        "alphas": by_alpha(rows),
         "scenes": by_scene(rows),
         "cost": cost(schemes),
     }

@@ -48,10 +48,10 @@ struct KernelOptions {
   static constexpr float kLeastHiddenPart = 1.0f / 64;
 };
 
-/// How a Lambert kernel is fitted: at most five eighths of its boxes stand for the light that arrives
+/// How a Lambert kernel is fitted: at most three quarters of its boxes stand for the light that arrives
 /// straight, the others for what comes from other surfaces and out of media.
 inline VisibilityFitter::Options straightFit(uint32_t boxes) {
-  return {.boxes = int(std::max(5 * boxes / 8, 1u))};
+  return {.boxes = int(std::max(3 * boxes / 4, 1u))};
 }
 
 struct RecordKernel {

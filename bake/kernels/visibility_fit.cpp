@@ -114,7 +114,7 @@ std::vector<CosineBox> VisibilityFitter::Fit::result() const {
 }
 
 std::vector<CosineBox> VisibilityFitter::fit(std::span<const FirstDirection> first, vec3 normal) {
-  assert(options_.boxes >= 1 && options_.boxes <= 40);
+  assert(options_.boxes >= 1 && options_.boxes <= 48);
   if (std::none_of(first.begin(), first.end(), [](const FirstDirection& d) { return d.straight; })) return {};
   Fit fit(first, normal);
   fit.insertBoxes(options_);

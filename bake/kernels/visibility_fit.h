@@ -21,7 +21,7 @@ namespace boxlight {
 class VisibilityFitter {
  public:
   struct Options {
-    int boxes = 16;            ///< at most, the whole sphere among them; 1 to 40
+    int boxes = 16;            ///< at most, the whole sphere among them; 1 to 48
     double worthwhile = 2e-4;  ///< of what the whole hemisphere is worth, the least that a box must gain
     int refinements = 2;
   };

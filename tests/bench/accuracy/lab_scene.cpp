@@ -12,12 +12,15 @@ namespace {
 
 constexpr float kLeastCosine = 0.1f;   ///< of a measured view above the texel's horizon
 constexpr uint32_t kProbePaths = 256;  ///< that estimate how much of a lobe is visible
-constexpr uint32_t kCandidates = 4;    ///< for each subject that is taken
+constexpr float kSameAlpha = 0.05f;
+constexpr uint32_t kCandidates = 4;  ///< for each subject that is taken
 constexpr uint32_t kFirstHalf = 0x20000u, kProbeStream = 0x30000u;
+
+float alphaOf(const RecordPlan& plan) { return plan.record.roughness * plan.record.roughness; }
 
 bool isOf(const RecordPlan& plan, Gloss gloss) {
   if (gloss == Gloss::diffuse) return plan.lambert;
-  const float alpha = plan.record.roughness * plan.record.roughness;
+  const float alpha = alphaOf(plan);
   if (!plan.glossy || plan.glossyLobes != 1) return false;
   return gloss == Gloss::rough ? alpha > 0.149f && alpha < 0.501f : alpha > 0.009f && alpha < 0.101f;
 }
@@ -72,7 +75,9 @@ std::vector<Subject> LabScene::pick(Gloss gloss, const SubjectOptions& options) 
   std::vector<Subject> candidates;
   std::vector<uint32_t> members;
   for (uint32_t r = 0; r < records_.size(); ++r)
-    if (isOf(records_[r], gloss)) members.push_back(r);
+    if (isOf(records_[r], gloss) &&
+        (options.alpha == 0 || std::abs(alphaOf(records_[r]) - options.alpha) < kSameAlpha * options.alpha))
+      members.push_back(r);
   const uint32_t wanted = gloss == Gloss::diffuse ? options.texels : kCandidates * options.texels;
   lab::Random random(options.seed);
   for (uint32_t i = 0; i < wanted && !members.empty(); ++i) {

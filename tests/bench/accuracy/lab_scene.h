@@ -27,6 +27,7 @@ struct Subject {
 struct SubjectOptions {
   uint32_t texels = 32, viewsEach = 3;
   uint64_t seed = 1;
+  float alpha = 0;  ///< of all texels picked; 0: any of the class
 };
 
 /// A scene ready to be traced.

@@ -52,6 +52,9 @@ void run(const Options& options) {
       if (options.place != "views" && gloss != Gloss::diffuse)
         append(result["rows"], measureBetween(scene, gloss, lights, options.measure));
     }
+    if (options.place == "views") continue;
+    for (const float alpha : options.measure.alphas)
+      append(result["rows"], measureAlpha(scene, alpha, lights, options.measure));
   }
   std::ofstream out(options.output);
   out << result.dump(1) << '\n';
@@ -73,7 +76,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--texels", options.measure.subjects.texels, "Texels of every class")->capture_default_str();
   app.add_option("--boxes", options.measure.boxes, "Boxes of a kernel")->capture_default_str();
-  app.add_flag("--split-alone", options.measure.splitAlone, "Between the views: no scheme but split");
+  app.add_option("--alphas", options.measure.alphas, "GGX alphas that are measured apart")
+      ->capture_default_str();
   app.add_option("--reference-paths", options.measure.referencePaths)->capture_default_str();
   app.add_option("--clean-paths", options.measure.cleanPaths)->capture_default_str();
   app.add_option("--rotations", options.probe.rotations, "of every image")->capture_default_str();

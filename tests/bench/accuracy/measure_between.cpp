@@ -115,6 +115,8 @@ class Schemes {
   Row about_;
 };
 
+constexpr uint32_t kDefaultCells = 6;  ///< of ptbake bake
+
 /// What no interpolation can beat: the paths of that very direction, and a fit to them.
 void tryDirect(const KernelPaths& paths, const std::vector<ProbeLight>& lights, Row about, Sample& sample) {
   about.method = "deposits";
@@ -138,10 +140,11 @@ void trySplit(const LabScene& scene, const Subject& subject, vec3 direction,
 }
 
 void tryCells(const LabScene& scene, const Subject& subject, vec3 direction,
-              const std::vector<ProbeLight>& lights, Row about, Sample& sample) {
+              const std::vector<uint32_t>& frequencies, const std::vector<ProbeLight>& lights, Row about,
+              Sample& sample) {
   SplitOptions options{.hiddenBoxes = KernelOptions{}.hiddenBoxes(true), .paths = about.paths};
   about.terms = kLobeBoxes;
-  for (const uint32_t frequency : {3u, 4u, 6u, 8u}) {
+  for (const uint32_t frequency : frequencies) {
     options.cells = frequency;
     about.method = fmt::format("cells, {} directions", 10 * frequency * frequency + 2);
     sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
@@ -167,15 +170,25 @@ std::vector<Row> measureBetween(const LabScene& scene, Gloss gloss, const std::v
     scene.trace(subjects[subject], gloss, direction, 0x40000u + uint32_t(i), options.paths, paths);
     tryDirect(paths, lights, about, samples[i]);
     trySplit(scene, subjects[subject], direction, lights, about, samples[i]);
-    if (!options.splitAlone) tryCells(scene, subjects[subject], direction, lights, about, samples[i]);
+    tryCells(scene, subjects[subject], direction, options.cells, lights, about, samples[i]);
   });
-  if (options.splitAlone) return tally(samples, lights);
   for (const uint32_t boxes : options.boxes) {
     const Baked baked = bake(scene, subjects, boxes, options.paths);
     Schemes schemes(scene, baked, lights, about);
     for (size_t i = 0; i < tasks.size(); ++i) schemes.tryAll(tasks[i].first, tasks[i].second, samples[i]);
   }
   return tally(samples, lights);
+}
+
+std::vector<Row> measureAlpha(const LabScene& scene, float alpha, const std::vector<ProbeLight>& lights,
+                              const MeasureOptions& options) {
+  MeasureOptions own = options;
+  own.subjects.alpha = alpha;
+  own.boxes.clear();
+  own.cells = {kDefaultCells};
+  std::vector<Row> rows = measureBetween(scene, alpha < 0.12f ? Gloss::sharp : Gloss::rough, lights, own);
+  for (Row& row : rows) row.place = fmt::format("between, alpha {:.2f}", alpha);
+  return rows;
 }
 
 }  // namespace boxlight::accuracy

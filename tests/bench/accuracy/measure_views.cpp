@@ -18,6 +18,8 @@ void tryBasis(const Basis& basis, const KernelPaths& paths, vec3 normal, const R
   sample.trials.push_back({row, std::move(value)});
 }
 
+constexpr uint32_t kLeastLambertBoxes = 4;  ///< that a bake has
+
 Basis floorOf(const std::vector<ProbeLight>& lights) {
   return {"deposits", 0, 0,
           [&lights](const KernelPaths& paths, vec3) { return relightDeposits(paths, lights); }};
@@ -27,7 +29,8 @@ std::vector<Basis> basesOf(const std::vector<ProbeLight>& lights, Gloss gloss,
                            const MeasureOptions& options) {
   std::vector<Basis> bases{floorOf(lights)};
   for (const uint32_t boxes : options.boxes)
-    bases.push_back(gloss == Gloss::diffuse ? lambertBasis(lights, boxes) : boxBasis(lights, boxes));
+    bases.push_back(gloss == Gloss::diffuse && boxes >= kLeastLambertBoxes ? lambertBasis(lights, boxes)
+                                                                           : boxBasis(lights, boxes));
   const auto haar = makeCubeHaar(lights);
   for (const uint32_t bands : {3, 4, 8}) bases.push_back(harmonicBasis(lights, bands));
   for (const uint32_t coefficients : {6, 12, 48}) bases.push_back(waveletBasis(haar, coefficients));

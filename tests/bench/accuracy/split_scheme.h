@@ -18,7 +18,7 @@ namespace boxlight::accuracy {
 /// the texel, in turn, as pixels shade their own.
 struct SplitOptions {
   uint32_t hiddenBoxes = KernelOptions{}.hiddenBoxes(false);
-  uint32_t pixels = 16;  ///< points of the texel that shade their own lobe
+  uint32_t pixels = 256;  ///< points of the texel that shade their own lobe
   uint32_t paths = 1024;
   uint32_t cells = 0;  ///< frequency of the geodesic sphere of direction cells; 0: hidden parts of the views
 };
