@@ -12,7 +12,8 @@ namespace {
 constexpr int kMaskTries = 16;        ///< points drawn on a texel before it counts as cut away by its mask
 constexpr uint32_t kReachPaths = 64;  ///< of isReached
 constexpr int kReachBounces = 8;
-/// That throughputs are divided by: where a film has next to none in one channel, its kernels stay half floats.
+/// That throughputs are divided by: where a film has next to none in one channel, its kernels stay half
+/// floats.
 constexpr float kLeastAlbedo = 1e-4f;
 
 /// `local` as seen in some frame whose z is the unit vector `axis`.
