@@ -4,7 +4,7 @@
 
 #include "atlas.glsl"
 #include "cells.glsl"
-#include "lobe_clip.glsl"
+#include "wide_lobe.glsl"
 #include "pixel_lobe.glsl"
 
 layout(constant_id = kConstantNormalMapped) const bool kNormalMapped = true;

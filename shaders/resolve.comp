@@ -32,7 +32,7 @@ vec3 splitGloss(FilteredRadiance seen, Reflectance factors) {
   for (uint l = 0; l < (kClearcoat ? kPixelLobes : 1); ++l) {
     vec3 assumed = factors.lobe[l].albedo, factor = factors.reflected[l];
     vec3 albedo = lobeAlbedo(factors.lobe[l], kExtended && assumed != vec3(0.0));
-    ClippedLobe lobe = clipLobe(factors.lobe[l], seen.maps, factor != vec3(0.0));
+    ClippedLobe lobe = seeLobe(factors.lobe[l], seen.maps, factor != vec3(0.0));
     if (assumed != vec3(0.0)) factor *= albedo / max(assumed, 1e-6);
     radiance += factor * lobe.radiance;
     hidden += strength(factor) * lobe.hidden;

@@ -98,7 +98,8 @@ SHARED_CONSTANT kConstantBoxPools = 16;      // that resident pages fill
 SHARED_CONSTANT kConstantEmitters = 17;      // has any resident kernel emitted radiance?
 SHARED_CONSTANT kConstantWeights = 18;  // between the views boxes have the mean weight, not the mean energy
 SHARED_CONSTANT kConstantLambert = 19;  // any Lambert kernel
-SHARED_CONSTANT kSurfaceConstants = 20;
+SHARED_CONSTANT kConstantWide = 20;     // any lobe that is split and wide (wide_lobe.h)
+SHARED_CONSTANT kSurfaceConstants = 21;
 SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
@@ -155,7 +156,11 @@ SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place 
 // sums and the cell that they lie in.
 SHARED_CONSTANT kBrightTexels = 32;
 SHARED_CONSTANT kMomentBright = kMomentNodes + 3 * kHorizonNodeCount;
-SHARED_CONSTANT kMomentEnd = kMomentBright + 1 + 3 * kBrightTexels;
+// Then the cells and the blocks of 2 x 2 of them (LightCell): uvec4[cell][axis], floats: light of R, G, B and
+// a light of 1.
+SHARED_CONSTANT kMomentLightCells = kMomentBright + 1 + 3 * kBrightTexels;
+SHARED_CONSTANT kMomentBlocks = kMomentLightCells + 3 * kHorizonCellCount;
+SHARED_CONSTANT kMomentEnd = kMomentBlocks + 3 * kHorizonCellCount / 4;
 SHARED_CONSTANT kMomentSquares = 9 * kMomentColumns * kMomentRows;  // place among the lattice's texels
 
 struct FrameConstants {

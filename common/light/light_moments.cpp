@@ -49,6 +49,7 @@ LightMoments::LightMoments(const Image& lightMap)
     : sums_(size_t(kColumns + 1) * (kRows + 1), dmat3(0.0)),
       nodes_(size_t(kHorizonNodes.x) * kHorizonNodes.y, dmat3(0.0)) {
   addTexels(lightMap);
+  makeCells();
   separateBrightTexels(lightMap);
   makeNodes();
 }
@@ -71,10 +72,16 @@ void LightMoments::addTexels(const Image& lightMap) {
   }
 }
 
-dmat3 LightMoments::cell(uint32_t x, uint32_t y) const {
-  constexpr uint32_t kWide = kColumns / kHorizonCells.x, kHigh = kRows / kHorizonCells.y;
-  return sum(x * kWide + kWide, y * kHigh + kHigh) - sum(x * kWide, y * kHigh + kHigh) -
-         (sum(x * kWide + kWide, y * kHigh) - sum(x * kWide, y * kHigh));
+void LightMoments::makeCells() {
+  constexpr uvec2 kSize = kMomentSize / kHorizonCells;
+  blocks_.resize(kHorizonCells.x * kHorizonCells.y / 4);
+  for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i) {
+    const uvec2 at(i % kHorizonCells.x, i / kHorizonCells.x), from = at * kSize, to = from + kSize;
+    cells_.push_back({sum(to.x, to.y) - sum(from.x, to.y) - (sum(to.x, from.y) - sum(from.x, from.y)),
+                      cellOfOne(at.x, at.y)});
+    LightCell& block = blocks_[at.y / 2 * (kHorizonCells.x / 2) + at.x / 2];
+    block.light += cells_.back().light, block.one += cells_.back().one;
+  }
 }
 
 void LightMoments::separateBrightTexels(const Image& lightMap) {
@@ -95,17 +102,19 @@ void LightMoments::separateBrightTexels(const Image& lightMap) {
     bright_.push_back(strip(i % kColumns, i / kColumns, i / kColumns + 1));
 }
 
+std::vector<LightCell> LightMoments::cellsWithoutBrightTexels() const {
+  std::vector<LightCell> cells = cells_;
+  for (size_t k = 0; k < bright_.size(); ++k) {
+    const uvec2 at =
+        uvec2(brightTexels_[k] % kColumns, brightTexels_[k] / kColumns) / (kMomentSize / kHorizonCells);
+    cells[at.y * kHorizonCells.x + at.x].light -= bright_[k];
+  }
+  return cells;
+}
+
 /// What cells on the horizon lose or have too much is made up for by their mean radiance.
 void LightMoments::makeNodes() {
-  std::vector<std::pair<dmat3, dvec3>> cells;
-  for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i)
-    cells.emplace_back(cell(i % kHorizonCells.x, i / kHorizonCells.x),
-                       cellOfOne(i % kHorizonCells.x, i / kHorizonCells.x));
-  for (size_t k = 0; k < bright_.size(); ++k) {
-    const uvec2 texel(brightTexels_[k] % kColumns, brightTexels_[k] / kColumns);
-    const uvec2 at = texel / (kMomentSize / kHorizonCells);
-    cells[at.y * kHorizonCells.x + at.x].first -= bright_[k];
-  }
+  const std::vector<LightCell> cells = cellsWithoutBrightTexels();
   for (uint32_t i = 0; i < nodes_.size(); ++i) {
     const dvec3 normal = direction(double(i % kHorizonNodes.x) / kHorizonNodes.x,
                                    double(i / kHorizonNodes.x) / (kHorizonNodes.y - 1));

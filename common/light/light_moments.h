@@ -10,6 +10,12 @@ namespace boxlight {
 
 struct Rectangle;
 
+/// A cell of the light domain.
+struct LightCell {
+  dmat3 light{0.0};  ///< int L w dw, one column a channel
+  dvec3 one{0.0};    ///< that of a light of 1
+};
+
 /// Integrals of a distant light times its direction, int L w dw, one column a channel: what the normal n of a
 /// Lambert surface is multiplied with to get its irradiance, exactly wherever in a box the light is (theory
 /// 5). In double precision; shaders/moments.glsl has the same on a table of integers.
@@ -21,6 +27,10 @@ class LightMoments {
   /// Over the rectangle moved by uOffset (environmentOffset), in the directions of the world. Its edges in v
   /// are rounded to the lattice of kMomentSize. Inside a texel of that the light counts as even in u.
   dmat3 integrate(const Rectangle& rectangle, double uOffset = 0.0) const;
+
+  /// Of kHorizonCells, and of those blocks of 2 x 2 of them, in the light map's directions.
+  const LightCell& cell(uvec2 at) const { return cells_[at.y * kHorizonCells.x + at.x]; }
+  const LightCell& block(uvec2 at) const { return blocks_[at.y * kHorizonCells.x / 2 + at.x]; }
 
   /// n.w integrated over the hemisphere above the unit vector `normal`: `irradiance`, exact for a constant
   /// light and for what is small and bright (findBrightTexels), smoothed over some degrees elsewhere.
@@ -34,12 +44,14 @@ class LightMoments {
  private:
   void addTexels(const Image& lightMap);
   void separateBrightTexels(const Image& lightMap);
+  void makeCells();
   void makeNodes();
-  dmat3 cell(uint32_t x, uint32_t y) const;
+  std::vector<LightCell> cellsWithoutBrightTexels() const;
   dmat3 strip(uint32_t x, uint32_t y0, uint32_t y1) const;
   const dmat3& sum(uint32_t x, uint32_t y) const { return sums_[size_t(y) * (kMomentSize.x + 1) + x]; }
 
   std::vector<dmat3> sums_;  // over everything above and left of a lattice point
+  std::vector<LightCell> cells_, blocks_;
   std::vector<uint32_t> brightTexels_;
   std::vector<dmat3> bright_;  // their moments
   std::vector<dmat3> nodes_;   // moments of hemispheres, without those

@@ -78,6 +78,10 @@ ClippedLobe clipLobe(std::span<const Box> lobe, const FilteredVisibility& visibi
   return result;
 }
 
+double visiblePart(const Rectangle& rectangle, const FilteredVisibility& visibility) {
+  return filter(rectangle, visibility).part;
+}
+
 vec3 ClippedLobe::hiddenDirection() const {
   const double length = glm::length(towards);
   return length > 0 ? vec3(towards / length) : vec3(0, 1, 0);

@@ -40,6 +40,9 @@ struct ClippedLobe {
 /// between texels instead of fading over. The result is continuous in the boxes and in the weights.
 ClippedLobe clipLobe(std::span<const Box> lobe, const FilteredVisibility& visibility);
 
+/// Of a rectangle's solid angle.
+double visiblePart(const Rectangle& rectangle, const FilteredVisibility& visibility);
+
 /// Of a lobe's hidden part: that of unseen directions, which is what the direct part is on average.
 inline constexpr double kUnseenHidden = 1.0 / 256;
 

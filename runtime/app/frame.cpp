@@ -105,7 +105,7 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& assetReader, 
 
 LightSettings FrameRenderer::Parts::lightSettings() const {
   return {
-      .size = settings.lightSize, .scheme = settings.satScheme, .moments = hasLambertKernels(reader.asset())};
+      .size = settings.lightSize, .scheme = settings.satScheme, .moments = needsMoments(reader.asset())};
 }
 
 SurfaceConstants FrameRenderer::Parts::makeConstants() const {
@@ -141,7 +141,7 @@ void FrameRenderer::Parts::showLight() {
       counts.lightMilliseconds += time.milliseconds;
     light->show();
     bindings.set(kBindSummedArea, light->table());
-    if (hasLambertKernels(reader.asset())) bindings.set(kBindMoments, light->moments());
+    if (needsMoments(reader.asset())) bindings.set(kBindMoments, light->moments());
     bindings.set(kBindBackground, light->image());
   }
   uploadConstants();

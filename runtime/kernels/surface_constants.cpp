@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "common/light/wide_lobe.h"
+
 namespace boxlight::gpu {
 namespace {
 
@@ -50,6 +52,13 @@ bool hasSheen(const asset::Asset& asset) {
 
 bool hasSplitLobes(const asset::Asset& asset) { return !asset.visibilityMaps.empty(); }
 
+bool hasWideLobes(const asset::Asset& asset) {
+  return hasSplitLobes(asset) &&
+         std::any_of(asset.records.begin(), asset.records.end(), [](const asset::TexelRecord& record) {
+           return record.roughness * record.roughness > kWideFrom;
+         });
+}
+
 bool hasDirectionCells(const asset::Asset& asset) { return !asset.cellSphere.empty(); }
 
 SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
@@ -70,6 +79,7 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
   constants[kConstantNormalMapped] = isNormalMapped(asset);
   constants[kConstantSplit] = hasSplitLobes(asset);
   constants[kConstantLambert] = hasLambertKernels(asset);
+  constants[kConstantWide] = hasWideLobes(asset);
   constants[kConstantCells] = hasDirectionCells(asset);
   return constants;
 }

@@ -10,8 +10,14 @@ namespace boxlight::gpu {
 
 /// Has any kernel of the asset glossy boxes?
 bool isGlossy(const asset::Asset& asset);
-/// Has any record a Lambert kernel? Only those ask for the light's moments.
+/// Has any record a Lambert kernel?
 bool hasLambertKernels(const asset::Asset& asset);
+/// Has any record a split lobe that is seen by cells of the light (wide_lobe.h)?
+bool hasWideLobes(const asset::Asset& asset);
+/// Are the light's moments asked for?
+inline bool needsMoments(const asset::Asset& asset) {
+  return hasLambertKernels(asset) || hasWideLobes(asset);
+}
 /// Has any material alpha that is coverage?
 bool isBlended(const asset::Asset& asset);
 /// Does a normal map bend any material's base layer?

@@ -113,7 +113,7 @@ void MomentPass::build(Commands& commands) const {
   commands.dispatch(rows_, {groupsFor(3 * kMomentRows), 1, 1});
   commands.dispatch(columns_, {groupsFor(3 * kMomentStride), 1, 1});
   commands.dispatch(brightTexels_, {1, 1, 1});
-  commands.dispatch(cellSums_, {groupsFor(3 * kHorizonCellCount), 1, 1});
+  commands.dispatch(cellSums_, {groupsFor(3 * kHorizonCellCount * 5 / 4), 1, 1});
   commands.dispatch(nodes_, {groupsFor(kHorizonNodeCount), 1, 1});
 }
 

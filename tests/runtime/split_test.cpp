@@ -7,8 +7,8 @@
 #include "common/light/light_domain.h"
 #include "common/light/light_map.h"
 #include "common/light/lobe_boxes.h"
-#include "common/light/lobe_clip.h"
 #include "common/light/relight.h"
+#include "common/light/wide_lobe.h"
 #include "shaders/shared.h"
 #include "tests/runtime/pixel_model.h"
 #include "tests/runtime/split_scene.h"
@@ -138,11 +138,10 @@ class SplitTest : public GpuTest {
     double hidden = double(luminance(Rgb(total)));
     ClippedLobe all;
     const auto add = [&](const GgxLobe& lobe, dvec3 factor) {
-      const ClippedLobe clipped = clipLobe(lobeBoxes(lobe), around);
-      for (const auto& [rectangle, energy] : clipped.pieces)
-        direct += factor * energy * lights.integrate(rectangle) / rectangle.solidAngle();
-      hidden += double(luminance(Rgb(factor))) * clipped.hidden;
-      all.towards += double(luminance(Rgb(factor))) * clipped.towards;
+      const SeenLobe seen = seeLobe(lobe, around, lights);
+      direct += factor * seen.radiance;
+      hidden += double(luminance(Rgb(factor))) * seen.hidden;
+      all.towards += double(luminance(Rgb(factor))) * seen.towards;
       total += factor;
     };
     const GgxLobe base = lobeOf(finish, view);

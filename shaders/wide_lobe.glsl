@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#ifndef BOXLIGHT_WIDE_LOBE_GLSL
+#define BOXLIGHT_WIDE_LOBE_GLSL
+// wide_lobe.h: lobes by cells of the light.
+
+#include "lobe_clip.glsl"
+
+layout(constant_id = kConstantWide) const bool kWide = true;
+
+/// light_moments.h: LightCell; the light in units of the moments.
+struct LightCell {
+  Moment light;
+  vec3 one;
+};
+
+LightCell loadLightCell(uint first, uint cell) {
+  uint i = first + 3 * cell;
+  vec4 x = uintBitsToFloat(BOXLIGHT_MOMENT(i)), y = uintBitsToFloat(BOXLIGHT_MOMENT(i + 1)), z = uintBitsToFloat(BOXLIGHT_MOMENT(i + 2));
+  return LightCell(Moment(x.xyz, y.xyz, z.xyz), vec3(x.w, y.w, z.w));
+}
+
+/// The lobe's density over the cosine; `axes` of the frame as the light map has it.
+vec3 lobeDensity(GgxLobe lobe, mat3 axes, vec3 direction) {
+  const float kLeastCosine = 1e-4;
+  vec3 light = normalize(direction) * axes;
+  light.z = max(light.z, kLeastCosine);
+  vec3 halfVector = normalize(lobe.view + light);
+  vec3 slope = vec3(halfVector.xy / lobe.alpha, halfVector.z);
+  float square = dot(slope, slope), distribution = 1.0 / (kPi * lobe.alpha.x * lobe.alpha.y * square * square);
+  float visibility = 0.5 / (light.z * stretchedLength(lobe.view, lobe.alpha) + lobe.view.z * stretchedLength(light, lobe.alpha));
+  float grazing = clamp(1.0 - dot(lobe.view, halfVector), 0.0, 1.0), squared = grazing * grazing;
+  vec3 fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * (squared * squared * grazing);
+  if (kFilm && lobe.filmed) fresnel = clamp(fresnel, kLeastFilmed, 1.0);
+  return distribution * visibility * fresnel;
+}
+
+struct CellSums {
+  vec3 radiance, direct, all, towards;
+};
+
+void addCell(LightCell cell, float visible, GgxLobe lobe, mat3 axes, inout CellSums sums) {
+  float cosine = dot(axes[2], cell.one);
+  if (cosine > 0.0) {
+    vec3 energy = cosine * lobeDensity(lobe, axes, cell.one);
+    sums.all += energy;
+    sums.direct += visible * energy;
+    if (kCells) sums.towards += (1.0 - visible) * strength(energy) * normalize(cell.one);
+  }
+  vec3 arriving = max(along(cell.light, axes[2]), vec3(0.0));
+  vec3 centre = vec3(strength(cell.light.x), strength(cell.light.y), strength(cell.light.z));
+  if (visible > 0.0 && strength(arriving) > 0.0 && dot(centre, centre) > 0.0)
+    sums.radiance += visible * arriving * lobeDensity(lobe, axes, centre);
+}
+
+Rectangle cellRectangle(uvec2 at, uvec2 count) {
+  float height = 1.0 / float(count.y), v = float(at.y) * height;
+  return Rectangle(fract(float(at.x) / float(count.x) - BOXLIGHT_LIGHT_OFFSET), 1.0 / float(count.x), Latitudes(v, height, 1.0 - v - height));
+}
+
+void addBlock(uvec2 at, GgxLobe lobe, mat3 axes, FilteredMaps maps, inout CellSums sums) {
+  const float kOpen = 1.0 - 1e-5;
+  const uvec2 kBlocks = uvec2(kHorizonCellColumns, kHorizonCellRows) / 2;
+  vec4 visible = vec4(1.0);
+  if (lookAt(cellRectangle(at, kBlocks), maps).anyHidden)
+    for (uint k = 0; k < 4; ++k)
+      visible[k] = filterVisible(cellRectangle(2 * at + uvec2(k & 1, k >> 1), 2 * kBlocks), maps, maps.count).part;
+  bool open = min(min(visible.x, visible.y), min(visible.z, visible.w)) >= kOpen;
+  for (uint k = 0; k < (open ? 1 : 4); ++k) {
+    uvec2 quarter = 2 * at + uvec2(k & 1, k >> 1);
+    LightCell cell = open ? loadLightCell(kMomentBlocks, at.y * kBlocks.x + at.x)
+                          : loadLightCell(kMomentLightCells, quarter.y * kHorizonCellColumns + quarter.x);
+    addCell(cell, open ? 1.0 : visible[k], lobe, axes, sums);
+  }
+}
+
+/// wide_lobe.h: seeByCells.
+ClippedLobe seeByCells(GgxLobe lobe, FilteredMaps maps) {
+  const float kFarBelow = -0.3;
+  mat3 axes = mat3(turnedToMap(lobe.frame[0]), turnedToMap(lobe.frame[1]), turnedToMap(lobe.frame[2]));
+  CellSums sums = CellSums(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+  for (uint i = 0; i < kHorizonCellCount / 4; ++i) {
+    uvec2 at = uvec2(i % (kHorizonCellColumns / 2), i / (kHorizonCellColumns / 2));
+    if (dot(axes[2], normalize(loadLightCell(kMomentBlocks, i).one)) >= kFarBelow) addBlock(at, lobe, axes, maps, sums);
+  }
+  vec3 all = max(sums.all, 1e-30);
+  float hidden = clamp(1.0 - strength(sums.direct / all), 0.0, 1.0);
+  return ClippedLobe(BOXLIGHT_MOMENT_UNIT * sums.radiance / all, hidden, lobe.frame * (sums.towards * axes) / strength(all));
+}
+
+const float kWideFrom = 0.25, kWideTo = 0.35;  // wide_lobe.h
+
+/// wide_lobe.h: seeLobe.
+ClippedLobe seeLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {
+  float part = kWide ? clamp((min(lobe.alpha.x, lobe.alpha.y) - kWideFrom) / (kWideTo - kWideFrom), 0.0, 1.0) : 0.0;
+  ClippedLobe seen = clipLobe(lobe, maps, wanted && part < 1.0);
+  if (!kWide || part == 0.0 || !wanted || maps.count == 0) return seen;
+  ClippedLobe cells = seeByCells(lobe, maps);
+  return ClippedLobe(mix(seen.radiance, cells.radiance, part), mix(seen.hidden, cells.hidden, part), mix(seen.towards, cells.towards, part));
+}
+
+#endif
