@@ -31,7 +31,7 @@ void store(uint place, uint i) {
   for (uint axis = 0; axis < 3; ++axis) {
     uvec3 sum = table[momentPlace(x + 1, y + 1, axis)].xyz - table[momentPlace(x, y + 1, axis)].xyz -
                 (table[momentPlace(x + 1, y, axis)].xyz - table[momentPlace(x, y, axis)].xyz);
-    table[kMomentBright + 1 + 3 * place + axis] = uvec4(sum, y / size.y * kHorizonCellColumns + x / size.x);
+    table[kMomentBright + 1 + 3 * place + axis] = uvec4(sum, axis == 0 ? y / size.y * kHorizonCellColumns + x / size.x : axis == 1 ? x : y);
   }
 }
 

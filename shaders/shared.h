@@ -152,8 +152,8 @@ SHARED_CONSTANT kHorizonCellColumns = 32;
 SHARED_CONSTANT kHorizonCellRows = 16;
 SHARED_CONSTANT kHorizonCellCount = kHorizonCellColumns * kHorizonCellRows;
 SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place of the first
-// Then the number of bright texels (bright_texels.h), which nodes leave out, and uvec4[bright][axis]: their
-// sums and the cell that they lie in.
+// Then the number of bright texels (bright_texels.h), which nodes and cells leave out, and
+// uvec4[bright][axis]: their sums, and as w the cell that they lie in, column and row on the lattice.
 SHARED_CONSTANT kBrightTexels = 32;
 SHARED_CONSTANT kMomentBright = kMomentNodes + 3 * kHorizonNodeCount;
 // Then the cells and the blocks of 2 x 2 of them (LightCell): uvec4[cell][axis], floats: light of R, G, B and

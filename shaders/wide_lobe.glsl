@@ -38,6 +38,13 @@ struct CellSums {
   vec3 radiance, direct, all, towards;
 };
 
+void addCellLight(Moment light, float visible, GgxLobe lobe, mat3 axes, inout CellSums sums) {
+  vec3 arriving = max(along(light, axes[2]), vec3(0.0));
+  vec3 centre = vec3(strength(light.x), strength(light.y), strength(light.z));
+  if (visible > 0.0 && strength(arriving) > 0.0 && dot(centre, centre) > 0.0)
+    sums.radiance += visible * arriving * lobeDensity(lobe, axes, centre);
+}
+
 void addCell(LightCell cell, float visible, GgxLobe lobe, mat3 axes, inout CellSums sums) {
   float cosine = dot(axes[2], cell.one);
   if (cosine > 0.0) {
@@ -46,10 +53,7 @@ void addCell(LightCell cell, float visible, GgxLobe lobe, mat3 axes, inout CellS
     sums.direct += visible * energy;
     if (kCells) sums.towards += (1.0 - visible) * strength(energy) * normalize(cell.one);
   }
-  vec3 arriving = max(along(cell.light, axes[2]), vec3(0.0));
-  vec3 centre = vec3(strength(cell.light.x), strength(cell.light.y), strength(cell.light.z));
-  if (visible > 0.0 && strength(arriving) > 0.0 && dot(centre, centre) > 0.0)
-    sums.radiance += visible * arriving * lobeDensity(lobe, axes, centre);
+  addCellLight(cell.light, visible, lobe, axes, sums);
 }
 
 Rectangle cellRectangle(uvec2 at, uvec2 count) {
@@ -73,6 +77,16 @@ void addBlock(uvec2 at, GgxLobe lobe, mat3 axes, FilteredMaps maps, inout CellSu
   }
 }
 
+void addBrightLight(GgxLobe lobe, mat3 axes, FilteredMaps maps, inout CellSums sums) {
+  uint end = kMomentBright + 1 + 3 * BOXLIGHT_MOMENT(kMomentBright).x;
+  for (uint i = kMomentBright + 1; i < end; i += 3) {
+    uvec4 x = BOXLIGHT_MOMENT(i), y = BOXLIGHT_MOMENT(i + 1), z = BOXLIGHT_MOMENT(i + 2);
+    Rectangle texel = cellRectangle(uvec2(y.w, z.w), uvec2(kMomentColumns, kMomentRows));
+    float visible = lookAt(texel, maps).anyHidden ? filterVisible(texel, maps, maps.count).part : 1.0;
+    addCellLight(toMoment(MomentSum(x.xyz, y.xyz, z.xyz)), visible, lobe, axes, sums);
+  }
+}
+
 /// wide_lobe.h: seeByCells.
 ClippedLobe seeByCells(GgxLobe lobe, FilteredMaps maps) {
   const float kFarBelow = -0.3;
@@ -82,6 +96,7 @@ ClippedLobe seeByCells(GgxLobe lobe, FilteredMaps maps) {
     uvec2 at = uvec2(i % (kHorizonCellColumns / 2), i / (kHorizonCellColumns / 2));
     if (dot(axes[2], normalize(loadLightCell(kMomentBlocks, i).one)) >= kFarBelow) addBlock(at, lobe, axes, maps, sums);
   }
+  addBrightLight(lobe, axes, maps, sums);
   vec3 all = max(sums.all, 1e-30);
   float hidden = clamp(1.0 - strength(sums.direct / all), 0.0, 1.0);
   return ClippedLobe(BOXLIGHT_MOMENT_UNIT * sums.radiance / all, hidden, lobe.frame * (sums.towards * axes) / strength(all));

@@ -49,8 +49,8 @@ LightMoments::LightMoments(const Image& lightMap)
     : sums_(size_t(kColumns + 1) * (kRows + 1), dmat3(0.0)),
       nodes_(size_t(kHorizonNodes.x) * kHorizonNodes.y, dmat3(0.0)) {
   addTexels(lightMap);
-  makeCells();
   separateBrightTexels(lightMap);
+  makeCells();
   makeNodes();
 }
 
@@ -74,13 +74,20 @@ void LightMoments::addTexels(const Image& lightMap) {
 
 void LightMoments::makeCells() {
   constexpr uvec2 kSize = kMomentSize / kHorizonCells;
-  blocks_.resize(kHorizonCells.x * kHorizonCells.y / 4);
   for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i) {
     const uvec2 at(i % kHorizonCells.x, i / kHorizonCells.x), from = at * kSize, to = from + kSize;
     cells_.push_back({sum(to.x, to.y) - sum(from.x, to.y) - (sum(to.x, from.y) - sum(from.x, from.y)),
                       cellOfOne(at.x, at.y)});
-    LightCell& block = blocks_[at.y / 2 * (kHorizonCells.x / 2) + at.x / 2];
-    block.light += cells_.back().light, block.one += cells_.back().one;
+  }
+  for (const BrightTexel& bright : bright_) {
+    const uvec2 at = bright.at / kSize;
+    cells_[at.y * kHorizonCells.x + at.x].light -= bright.light;
+  }
+  blocks_.resize(cells_.size() / 4);
+  for (uint32_t i = 0; i < cells_.size(); ++i) {
+    const uvec2 at = uvec2(i % kHorizonCells.x, i / kHorizonCells.x) / 2u;
+    LightCell& block = blocks_[at.y * (kHorizonCells.x / 2) + at.x];
+    block.light += cells_[i].light, block.one += cells_[i].one;
   }
 }
 
@@ -97,30 +104,20 @@ void LightMoments::separateBrightTexels(const Image& lightMap) {
     strengths.push_back(std::sqrt(glm::dot(moment[0], moment[0]) + glm::dot(moment[1], moment[1]) +
                                   glm::dot(moment[2], moment[2])));
   }
-  brightTexels_ = findBrightTexels(strengths);
-  for (const uint32_t i : brightTexels_)
-    bright_.push_back(strip(i % kColumns, i / kColumns, i / kColumns + 1));
-}
-
-std::vector<LightCell> LightMoments::cellsWithoutBrightTexels() const {
-  std::vector<LightCell> cells = cells_;
-  for (size_t k = 0; k < bright_.size(); ++k) {
-    const uvec2 at =
-        uvec2(brightTexels_[k] % kColumns, brightTexels_[k] / kColumns) / (kMomentSize / kHorizonCells);
-    cells[at.y * kHorizonCells.x + at.x].light -= bright_[k];
+  for (const uint32_t i : findBrightTexels(strengths)) {
+    const uvec2 at(i % kColumns, i / kColumns);
+    bright_.push_back({at, strip(at.x, at.y, at.y + 1)});
   }
-  return cells;
 }
 
 /// What cells on the horizon lose or have too much is made up for by their mean radiance.
 void LightMoments::makeNodes() {
-  const std::vector<LightCell> cells = cellsWithoutBrightTexels();
   for (uint32_t i = 0; i < nodes_.size(); ++i) {
     const dvec3 normal = direction(double(i % kHorizonNodes.x) / kHorizonNodes.x,
                                    double(i / kHorizonNodes.x) / (kHorizonNodes.y - 1));
     dvec3 missing = kPiDouble * normal, radiance(0.0);  // the first of a light of 1
     double weights = 0;
-    for (const auto& [moment, one] : cells) {
+    for (const auto& [moment, one] : cells_) {
       nodes_[i] += above(moment, normal);
       const double cosine = glm::dot(normal, one), square = glm::dot(one, one);
       if (cosine > 0.0) missing -= one;
@@ -174,8 +171,8 @@ LightMoments::Hemisphere LightMoments::hemisphere(dvec3 normal, double uOffset) 
     weight += share * (1.0 + glm::dot(n, at));
   }
   sum /= weight;
-  for (const dmat3& bright : bright_) {
-    const dmat3 seen = above(bright, n);
+  for (const BrightTexel& bright : bright_) {
+    const dmat3 seen = above(bright.light, n);
     sum += n * seen;
     moment += seen;
   }

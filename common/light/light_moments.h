@@ -28,9 +28,17 @@ class LightMoments {
   /// are rounded to the lattice of kMomentSize. Inside a texel of that the light counts as even in u.
   dmat3 integrate(const Rectangle& rectangle, double uOffset = 0.0) const;
 
-  /// Of kHorizonCells, and of those blocks of 2 x 2 of them, in the light map's directions.
+  /// Of kHorizonCells and of blocks of 2 x 2 of them, in the light map's directions, both without the bright
+  /// texels.
   const LightCell& cell(uvec2 at) const { return cells_[at.y * kHorizonCells.x + at.x]; }
   const LightCell& block(uvec2 at) const { return blocks_[at.y * kHorizonCells.x / 2 + at.x]; }
+
+  /// What hemispheres and cells leave out (findBrightTexels).
+  struct BrightTexel {
+    uvec2 at;  ///< of the lattice of kMomentSize
+    dmat3 light;
+  };
+  const std::vector<BrightTexel>& brightTexels() const { return bright_; }
 
   /// n.w integrated over the hemisphere above the unit vector `normal`: `irradiance`, exact for a constant
   /// light and for what is small and bright (findBrightTexels), smoothed over some degrees elsewhere.
@@ -46,15 +54,13 @@ class LightMoments {
   void separateBrightTexels(const Image& lightMap);
   void makeCells();
   void makeNodes();
-  std::vector<LightCell> cellsWithoutBrightTexels() const;
   dmat3 strip(uint32_t x, uint32_t y0, uint32_t y1) const;
   const dmat3& sum(uint32_t x, uint32_t y) const { return sums_[size_t(y) * (kMomentSize.x + 1) + x]; }
 
   std::vector<dmat3> sums_;  // over everything above and left of a lattice point
   std::vector<LightCell> cells_, blocks_;
-  std::vector<uint32_t> brightTexels_;
-  std::vector<dmat3> bright_;  // their moments
-  std::vector<dmat3> nodes_;   // moments of hemispheres, without those
+  std::vector<BrightTexel> bright_;
+  std::vector<dmat3> nodes_;  // moments of hemispheres, without those
 };
 
 }  // namespace boxlight

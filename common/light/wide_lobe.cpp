@@ -60,12 +60,23 @@ struct CellSums {
       all += energy, direct += visible * energy;
       towards += (1 - visible) * strength(energy) * glm::normalize(cell.one);
     }
-    const dvec3 arriving = glm::max(normal * cell.light, dvec3(0.0));
-    const dvec3 along = cell.light * dvec3(0.2126, 0.7152, 0.0722);
+    addLight(cell.light, visible);
+  }
+
+  void addLight(const dmat3& light, double visible) {
+    const dvec3 arriving = glm::max(density.normal() * light, dvec3(0.0));
+    const dvec3 along = light * dvec3(0.2126, 0.7152, 0.0722);
     if (visible > 0.0 && strength(arriving) > 0.0 && glm::length(along) > 0.0)
       radiance += visible * arriving * density.at(along);
   }
 };
+
+/// In the world's directions.
+Rectangle cellOf(uvec2 at, uvec2 count, double uOffset) {
+  const dvec2 size = 1.0 / dvec2(count);
+  const double u = at.x * size.x - uOffset;
+  return {u - std::floor(u), at.y * size.y, size.x, size.y};
+}
 
 }  // namespace
 
@@ -80,16 +91,15 @@ SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, c
     if (glm::dot(density.normal(), glm::normalize(block.one)) < kFarBelow) continue;
     std::array<double, 4> visible;
     for (uint32_t k = 0; k < 4; ++k) {
-      const dvec2 corner = dvec2(2u * at + uvec2(k & 1, k >> 1)) / dvec2(kHorizonCells);
-      const double u = corner.x - uOffset;
-      visible[k] = visiblePart({u - std::floor(u), corner.y, 1.0 / kHorizonCells.x, 1.0 / kHorizonCells.y},
-                               visibility);
+      visible[k] = visiblePart(cellOf(2u * at + uvec2(k & 1, k >> 1), kHorizonCells, uOffset), visibility);
     }
     if (*std::min_element(visible.begin(), visible.end()) >= kOpen)
       sums.add(block, 1.0);
     else
       for (uint32_t k = 0; k < 4; ++k) sums.add(light.cell(2u * at + uvec2(k & 1, k >> 1)), visible[k]);
   }
+  for (const LightMoments::BrightTexel& bright : light.brightTexels())
+    sums.addLight(bright.light, visiblePart(cellOf(bright.at, kMomentSize, uOffset), visibility));
   const dvec3 all = glm::max(sums.all, dvec3(1e-30));
   return {sums.radiance / all, std::max(1.0 - strength(sums.direct / all), 0.0),
           density.toWorld(sums.towards) / strength(all)};

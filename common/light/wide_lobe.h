@@ -24,7 +24,8 @@ struct SeenLobe {
 ///   L = sum_c V_c f(d_c) n.M_c / sum_c f(e_c) n.N_c ,     N_c = int over c of w dw,  e_c = N_c / |N_c|:
 ///
 /// a sun counts where it stands, and a constant light returns 1 - hidden. Cells are blocks of 22.5 degrees,
-/// and where some of a block is hidden its quarters.
+/// where some of a block is hidden its quarters, and each bright texel by itself, so that a sun is hidden as
+/// the maps have it.
 SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, const LightMoments& light,
                     double uOffset = 0.0);
 
