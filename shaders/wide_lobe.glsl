@@ -5,7 +5,11 @@
 
 #include "lobe_clip.glsl"
 
+// Mesa 22.3's lavapipe ends a lane's loops after 65535 rounds of all of them: inner ones are kept short.
+
 layout(constant_id = kConstantWide) const bool kWide = true;
+
+const float kWideFrom = 0.1, kWideTo = 0.13, kMergedFrom = 0.4;  // wide_lobe.h
 
 /// light_moments.h: LightCell; the light in units of the moments.
 struct LightCell {
@@ -61,17 +65,40 @@ Rectangle cellRectangle(uvec2 at, uvec2 count) {
   return Rectangle(fract(float(at.x) / float(count.x) - BOXLIGHT_LIGHT_OFFSET), 1.0 / float(count.x), Latitudes(v, height, 1.0 - v - height));
 }
 
+/// Of one map the visible parts of a block's quarters: of 8 rows, of which the block covers 8 columns from `shift` behind the first.
+vec4 visibleQuarters(uint map, int column, int row, float shift) {
+  vec4 visible = vec4(0.0);
+  vec2 all = vec2(0.0);
+  for (int i = 0; i < kBlockCells; ++i) {
+    uint word = map + 4 * uint(row + i), x = uint(column), bits = mapAt(word + x / 32) >> (x % 32);
+    if (x % 32 > 32 - 9) bits |= mapAt(word + (x / 32 + 1) % 4) << (32 - x % 32);
+    float middle = (float(row + i) + 0.5) / float(kMapRows), weight = sinPi(min(middle, 1.0 - middle));
+    vec2 counts = mix(vec2(bitCount(bits & 0xFu), bitCount(bits & 0xF0u)), vec2(bitCount(bits & 0x1Eu), bitCount(bits & 0x1E0u)), shift);
+    vec2 upper = vec2(i < kBlockCells / 2, i >= kBlockCells / 2);
+    visible += weight * vec4(upper.x * counts, upper.y * counts);
+    all += weight * upper;
+  }
+  return visible / (float(kBlockCells / 2) * all.xxyy);
+}
+
+/// Of all maps.
+vec4 visibleQuarters(uvec2 at, FilteredMaps maps) {
+  Rectangle block = cellRectangle(at, uvec2(kHorizonCellColumns, kHorizonCellRows) / 2);
+  Columns columns = mapColumns(block);
+  if ((blocksOf(columns, mapRows(block)) & maps.hiddenBlocks) == uvec4(0)) return vec4(1.0);
+  vec4 visible = vec4(0.0);
+  for (uint k = 0; k < maps.count; ++k)
+    visible += maps.weight[k] * visibleQuarters(maps.map[k], columns.first & (kMapColumns - 1), kBlockCells * int(at.y), columns.start);
+  return visible;
+}
+
 void addBlock(uvec2 at, GgxLobe lobe, mat3 axes, FilteredMaps maps, inout CellSums sums) {
   const float kOpen = 1.0 - 1e-5;
-  const uvec2 kBlocks = uvec2(kHorizonCellColumns, kHorizonCellRows) / 2;
-  vec4 visible = vec4(1.0);
-  if (lookAt(cellRectangle(at, kBlocks), maps).anyHidden)
-    for (uint k = 0; k < 4; ++k)
-      visible[k] = filterVisible(cellRectangle(2 * at + uvec2(k & 1, k >> 1), 2 * kBlocks), maps, maps.count).part;
-  bool open = min(min(visible.x, visible.y), min(visible.z, visible.w)) >= kOpen;
+  vec4 visible = visibleQuarters(at, maps);
+  bool open = min(lobe.alpha.x, lobe.alpha.y) >= kMergedFrom && min(min(visible.x, visible.y), min(visible.z, visible.w)) >= kOpen;
   for (uint k = 0; k < (open ? 1 : 4); ++k) {
     uvec2 quarter = 2 * at + uvec2(k & 1, k >> 1);
-    LightCell cell = open ? loadLightCell(kMomentBlocks, at.y * kBlocks.x + at.x)
+    LightCell cell = open ? loadLightCell(kMomentBlocks, at.y * (kHorizonCellColumns / 2) + at.x)
                           : loadLightCell(kMomentLightCells, quarter.y * kHorizonCellColumns + quarter.x);
     addCell(cell, open ? 1.0 : visible[k], lobe, axes, sums);
   }
@@ -101,8 +128,6 @@ ClippedLobe seeByCells(GgxLobe lobe, FilteredMaps maps) {
   float hidden = clamp(1.0 - strength(sums.direct / all), 0.0, 1.0);
   return ClippedLobe(BOXLIGHT_MOMENT_UNIT * sums.radiance / all, hidden, lobe.frame * (sums.towards * axes) / strength(all));
 }
-
-const float kWideFrom = 0.25, kWideTo = 0.35;  // wide_lobe.h
 
 /// wide_lobe.h: seeLobe.
 ClippedLobe seeLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {

@@ -80,23 +80,29 @@ Rectangle cellOf(uvec2 at, uvec2 count, double uOffset) {
 
 }  // namespace
 
-SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, const LightMoments& light,
-                    double uOffset) {
+VisibleCells::VisibleCells(const FilteredVisibility& visibility, double uOffset) {
+  for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i)
+    parts_.push_back(
+        visiblePart(cellOf({i % kHorizonCells.x, i / kHorizonCells.x}, kHorizonCells, uOffset), visibility));
+}
+
+SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,
+                    const LightMoments& light, double uOffset) {
   const Density density(lobe, uOffset);
   CellSums sums{density};
   constexpr uvec2 kBlocks = kHorizonCells / 2u;
+  const bool merges = std::min(lobe.alpha.x, lobe.alpha.y) >= kMergedFrom;
   for (uint32_t i = 0; i < kBlocks.x * kBlocks.y; ++i) {
     const uvec2 at(i % kBlocks.x, i / kBlocks.x);
     const LightCell& block = light.block(at);
     if (glm::dot(density.normal(), glm::normalize(block.one)) < kFarBelow) continue;
-    std::array<double, 4> visible;
-    for (uint32_t k = 0; k < 4; ++k) {
-      visible[k] = visiblePart(cellOf(2u * at + uvec2(k & 1, k >> 1), kHorizonCells, uOffset), visibility);
+    bool open = merges;
+    for (uint32_t k = 0; k < 4; ++k) open = open && cells.part(2u * at + uvec2(k & 1, k >> 1)) >= kOpen;
+    if (open) sums.add(block, 1.0);
+    for (uint32_t k = 0; k < 4 && !open; ++k) {
+      const uvec2 quarter = 2u * at + uvec2(k & 1, k >> 1);
+      sums.add(light.cell(quarter), cells.part(quarter));
     }
-    if (*std::min_element(visible.begin(), visible.end()) >= kOpen)
-      sums.add(block, 1.0);
-    else
-      for (uint32_t k = 0; k < 4; ++k) sums.add(light.cell(2u * at + uvec2(k & 1, k >> 1)), visible[k]);
   }
   for (const LightMoments::BrightTexel& bright : light.brightTexels())
     sums.addLight(bright.light, visiblePart(cellOf(bright.at, kMomentSize, uOffset), visibility));
@@ -114,17 +120,17 @@ SeenLobe seeByBoxes(const GgxLobe& lobe, const FilteredVisibility& visibility, c
   return seen;
 }
 
-SeenLobe seeLobe(const GgxLobe& lobe, const FilteredVisibility& visibility, const SummedArea& light,
-                 double uOffset) {
+SeenLobe seeLobe(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,
+                 const SummedArea& light, double uOffset) {
   const float alpha = std::min(lobe.alpha.x, lobe.alpha.y);
   const double part = double(std::clamp((alpha - kWideFrom) / (kWideTo - kWideFrom), 0.0f, 1.0f));
   if (part <= 0) return seeByBoxes(lobe, visibility, light, uOffset);
-  const SeenLobe cells = seeByCells(lobe, visibility, light.moments(), uOffset);
-  if (part >= 1) return cells;
-  const SeenLobe boxes = seeByBoxes(lobe, visibility, light, uOffset);
+  const SeenLobe byCells = seeByCells(lobe, visibility, cells, light.moments(), uOffset);
+  if (part >= 1) return byCells;
+  const SeenLobe byBoxes = seeByBoxes(lobe, visibility, light, uOffset);
   const auto mix = [part](auto a, auto b) { return a * (1 - part) + b * part; };
-  return {mix(boxes.radiance, cells.radiance), mix(boxes.hidden, cells.hidden),
-          mix(boxes.towards, cells.towards)};
+  return {mix(byBoxes.radiance, byCells.radiance), mix(byBoxes.hidden, byCells.hidden),
+          mix(byBoxes.towards, byCells.towards)};
 }
 
 }  // namespace boxlight

@@ -15,6 +15,18 @@ struct SeenLobe {
   dvec3 radiance{0.0};
   double hidden = 0;
   dvec3 towards{0.0};
+  /// As ClippedLobe's.
+  vec3 hiddenDirection() const { return ClippedLobe{.towards = towards}.hiddenDirection(); }
+};
+
+/// The visible parts of the light's cells, turned by uOffset (environmentOffset).
+class VisibleCells {
+ public:
+  explicit VisibleCells(const FilteredVisibility& visibility, double uOffset = 0.0);
+  double part(uvec2 cell) const { return parts_[cell.y * kHorizonCells.x + cell.x]; }
+
+ private:
+  std::vector<double> parts_;
 };
 
 /// Boxes of constant density cannot follow a lobe that is wide: under a sun their edges show. Of a wide lobe
@@ -23,21 +35,26 @@ struct SeenLobe {
 ///
 ///   L = sum_c V_c f(d_c) n.M_c / sum_c f(e_c) n.N_c ,     N_c = int over c of w dw,  e_c = N_c / |N_c|:
 ///
-/// a sun counts where it stands, and a constant light returns 1 - hidden. Cells are blocks of 22.5 degrees,
-/// where some of a block is hidden its quarters, and each bright texel by itself, so that a sun is hidden as
-/// the maps have it.
-SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, const LightMoments& light,
-                    double uOffset = 0.0);
+/// a sun counts where it stands, and a constant light returns 1 - hidden. Cells are
+/// of 11.25 degrees, of lobes from kMergedFrom on blocks of 2 x 2 of them where nothing is hidden, and each
+/// bright texel by itself, so that a sun is hidden as the maps have it.
+SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,
+                    const LightMoments& light, double uOffset = 0.0);
 
 /// clipLobe of lobeBoxes.
 SeenLobe seeByBoxes(const GgxLobe& lobe, const FilteredVisibility& visibility, const SummedArea& light,
                     double uOffset = 0.0);
 
 /// The smaller alpha from which on cells take part, and from which on they are all.
-inline constexpr float kWideFrom = 0.25f, kWideTo = 0.35f;
+inline constexpr float kWideFrom = 0.1f, kWideTo = 0.13f;
+inline constexpr float kMergedFrom = 0.4f;
 
 /// By the one, the other, or in between by both.
-SeenLobe seeLobe(const GgxLobe& lobe, const FilteredVisibility& visibility, const SummedArea& light,
-                 double uOffset = 0.0);
+SeenLobe seeLobe(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,
+                 const SummedArea& light, double uOffset = 0.0);
+inline SeenLobe seeLobe(const GgxLobe& lobe, const FilteredVisibility& visibility, const SummedArea& light,
+                        double uOffset = 0.0) {
+  return seeLobe(lobe, visibility, VisibleCells(visibility, uOffset), light, uOffset);
+}
 
 }  // namespace boxlight

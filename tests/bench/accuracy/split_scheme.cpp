@@ -16,6 +16,9 @@ dvec3 meanLight(const SummedArea& light, const Rectangle& rectangle) {
   return light.integrate(rectangle) / rectangle.solidAngle();
 }
 
+/// A pixel of a sharp lobe sees much less than its texel.
+uint32_t pixelsFor(const asset::TexelRecord& record) { return record.roughness < 0.25f ? 256 : 64; }
+
 }  // namespace
 
 SplitTexel::SplitTexel(const LabScene& scene, const Subject& subject, const SplitOptions& options)
@@ -24,10 +27,13 @@ SplitTexel::SplitTexel(const LabScene& scene, const Subject& subject, const Spli
       options_(options),
       origin_(subject.plan.origin(scene.world(), scene.map())),
       map_(traceVisibility(scene.world(), origin_, {9, subject.plan.texel, kMapStream})),
-      cells_(std::max(options.cells, 1u)) {}
+      visibleCells_(FilteredVisibility{{&map_}, {1.0f}}),
+      cells_(std::max(options.cells, 1u)) {
+  if (options_.pixels == 0) options_.pixels = pixelsFor(subject.plan.record);
+}
 
 /// As if nothing stood around.
-std::vector<Box> SplitTexel::lobe(vec3 direction, uint32_t pixel) const {
+GgxLobe SplitTexel::lobe(vec3 direction, uint32_t pixel) const {
   Sampler sampler({9, subject_.plan.texel, kLobeStream}, pixel);
   const SurfacePoint point = sampleFootprint(origin_.footprint, sampler.next2());
   const vec3 wo = raiseAboveHorizon(direction, origin_.normal);
@@ -35,9 +41,7 @@ std::vector<Box> SplitTexel::lobe(vec3 direction, uint32_t pixel) const {
   const Bsdf bsdf(surface.material, surface.toLocal(wo));
   const bool isotropic = bsdf.alpha().x == bsdf.alpha().y;
   const vec3 tangent = isotropic ? lobeTangent(surface.normal, wo) : surface.tangent;
-  const auto boxes =
-      lobeBoxes({tangent, glm::cross(surface.normal, tangent), surface.normal, wo, bsdf.alpha(), bsdf.f0()});
-  return {boxes.begin(), boxes.end()};
+  return {tangent, glm::cross(surface.normal, tangent), surface.normal, wo, bsdf.alpha(), bsdf.f0()};
 }
 
 std::vector<Box> SplitTexel::hidden(uint32_t view) const {
@@ -47,13 +51,30 @@ std::vector<Box> SplitTexel::hidden(uint32_t view) const {
   return BoxFitter({.boxes = int(options_.hiddenBoxes)}).fit(paths.deposits, paths.traced);
 }
 
-ClippedLobe SplitTexel::clipped(vec3 direction, uint32_t pixel) const {
-  return clipLobe(lobe(direction, pixel), {{&map_}, {1.0f}});
+std::vector<SeenLobe> SplitTexel::seen(vec3 direction, uint32_t pixel,
+                                       const std::vector<ProbeLight>& lights) const {
+  const GgxLobe own = lobe(direction, pixel);
+  const FilteredVisibility visibility{{&map_}, {1.0f}};
+  std::vector<SeenLobe> seen;
+  if (std::min(own.alpha.x, own.alpha.y) > kWideFrom) {
+    for (const ProbeLight& light : lights)
+      seen.push_back(seeLobe(own, visibility, visibleCells_, light.area));
+    return seen;
+  }
+  const ClippedLobe clipped = clipLobe(lobeBoxes(own), visibility);
+  for (const ProbeLight& light : lights) {
+    seen.push_back({dvec3(0.0), clipped.hidden, clipped.towards});
+    for (const auto& [rectangle, energy] : clipped.pieces)
+      seen.back().radiance += energy * meanLight(light.area, rectangle);
+  }
+  return seen;
 }
 
 double SplitTexel::hiddenPart(vec3 direction) const {
   double hidden = 0;
-  for (uint32_t pixel = 0; pixel < options_.pixels; ++pixel) hidden += clipped(direction, pixel).hidden;
+  const FilteredVisibility visibility{{&map_}, {1.0f}};
+  for (uint32_t pixel = 0; pixel < options_.pixels; ++pixel)
+    hidden += clipLobe(lobeBoxes(lobe(direction, pixel)), visibility).hidden;
   return hidden / options_.pixels;
 }
 
@@ -104,15 +125,14 @@ Radiances SplitTexel::relight(vec3 direction, const std::vector<ProbeLight>& lig
   Stored stored;
   if (!options_.cells) stored = viewsAround(direction);
   for (uint32_t pixel = 0; pixel < options_.pixels; ++pixel) {
-    const ClippedLobe clippedLobe = clipped(direction, pixel);
-    if (options_.cells) stored = cellsAround(clippedLobe.hiddenDirection());
+    const std::vector<SeenLobe> seenLobes = seen(direction, pixel, lights);
+    if (options_.cells) stored = cellsAround(seenLobes.front().hiddenDirection());
     for (size_t l = 0; l < lights.size(); ++l) {
-      dvec3 direct(0.0), fromHidden(0.0);
-      for (const auto& [rectangle, energy] : clippedLobe.pieces)
-        direct += energy * meanLight(lights[l].area, rectangle);
+      dvec3 fromHidden(0.0);
       for (const Box& box : stored.boxes)
         fromHidden += dvec3(box.energy) * meanLight(lights[l].area, rectangleOf(box));
-      mean[l] += splitRadiance(direct, clippedLobe.hidden, fromHidden, stored.part) / double(options_.pixels);
+      mean[l] += splitRadiance(seenLobes[l].radiance, seenLobes[l].hidden, fromHidden, stored.part) /
+                 double(options_.pixels);
     }
   }
   return mean;
