@@ -9,13 +9,12 @@ layout(std430, binding = kMomentTexels) readonly buffer Texels { float texels[];
 layout(std430, binding = kMomentTable) buffer Table { uvec4 table[]; };
 
 const uint kBins = 256, kShare = kMomentColumns * kMomentRows / kGroupSize;
-const float kLeastSquare = 68719476736.0;  // (2^-12 of the light)^2 in units of the table
 shared uint counts[kBins], found[kGroupSize], leastBin;
 
 /// Of lattice texel `i`; kBins for what is too faint.
 uint binOf(uint i) {
   float square = texels[kMomentSquares + i];
-  return square < kLeastSquare ? kBins : min((floatBitsToUint(square) - floatBitsToUint(kLeastSquare)) >> 20, kBins - 1);
+  return square < source.leastSquare ? kBins : min((floatBitsToUint(square) - floatBitsToUint(source.leastSquare)) >> 20, kBins - 1);
 }
 
 void findLeastBin() {

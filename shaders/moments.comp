@@ -23,7 +23,12 @@ void store(uvec2 at, uint axis, vec3 moment) {
   for (uint c = 0; c < 3; ++c) texels[texel + c] = moment[c] * source.perUnit;
 }
 
-float square(vec3 a) { return dot(a, a) * source.perUnit * source.perUnit; }
+/// Bright lights' moments have squares beyond floats: units first.
+float square(vec3 a) {
+  precise vec3 units = a * source.perUnit;
+  precise float sum = units.x * units.x + units.y * units.y + units.z * units.z;
+  return sum;
+}
 
 void main() {
   uvec2 at = gl_GlobalInvocationID.xy;

@@ -266,9 +266,11 @@ struct LightConstants {
 
 // What the passes that make the moments work on.
 struct MomentConstants {
-  uvec2 mapSize;   // of the light map
-  float perUnit;   // units of the table in a radiance times steradian
-  uint rowShares;  // of the weights: place of the first row's
+  uvec2 mapSize;      // of the light map
+  float perUnit;      // units of the table in a radiance times steradian
+  uint rowShares;     // of the weights: place of the first row's
+  float leastSquare;  // of a bright texel, in units of the table
+  uint reserved;
 };
 
 struct VisibleHeader {

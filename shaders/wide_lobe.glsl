@@ -89,13 +89,13 @@ vec4 visibleQuarters(uvec2 at, FilteredMaps maps) {
   vec4 visible = vec4(0.0);
   for (uint k = 0; k < maps.count; ++k)
     visible += maps.weight[k] * visibleQuarters(maps.map[k], columns.first & (kMapColumns - 1), kBlockCells * int(at.y), columns.start);
-  return visible;
+  const float kOpen = 1.0 - 1e-5;
+  return mix(visible, vec4(1.0), greaterThanEqual(visible, vec4(kOpen)));
 }
 
 void addBlock(uvec2 at, GgxLobe lobe, mat3 axes, FilteredMaps maps, inout CellSums sums) {
-  const float kOpen = 1.0 - 1e-5;
   vec4 visible = visibleQuarters(at, maps);
-  bool open = min(lobe.alpha.x, lobe.alpha.y) >= kMergedFrom && min(min(visible.x, visible.y), min(visible.z, visible.w)) >= kOpen;
+  bool open = min(lobe.alpha.x, lobe.alpha.y) >= kMergedFrom && min(min(visible.x, visible.y), min(visible.z, visible.w)) == 1.0;
   for (uint k = 0; k < (open ? 1 : 4); ++k) {
     uvec2 quarter = 2 * at + uvec2(k & 1, k >> 1);
     LightCell cell = open ? loadLightCell(kMomentBlocks, at.y * (kHorizonCellColumns / 2) + at.x)

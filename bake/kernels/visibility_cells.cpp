@@ -99,6 +99,12 @@ double VisibilityCells::takeAway(const GridBox& box, double step) {
   return double(bounded);
 }
 
+bool VisibilityCells::isPaintBounded() const {
+  constexpr float kRounding = 1e-3f;
+  const auto [low, high] = std::minmax_element(paint_.begin(), paint_.end());
+  return *low >= -1.0f - kRounding && *high <= kRounding;
+}
+
 const std::vector<dvec2>& VisibilityCells::residual(double open, const std::vector<GridBox>& boxes,
                                                     const std::vector<double>& amplitudes) {
   paint(boxes, amplitudes);

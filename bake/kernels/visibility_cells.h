@@ -27,6 +27,7 @@ class VisibilityCells {
   /// sum between -1 and 0 wherever it was there; returns how much.
   void paint(const std::vector<GridBox>& boxes, const std::vector<double>& amplitudes);
   double takeAway(const GridBox& box, double step);
+  bool isPaintBounded() const;  ///< between -1 and 0 everywhere
 
   /// Of every cell the residual and the weight that VisibilitySearch works on. Valid until the next call.
   const std::vector<dvec2>& residual(double open, const std::vector<GridBox>& boxes,

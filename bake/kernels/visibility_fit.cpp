@@ -15,7 +15,7 @@ namespace {
 constexpr double kOpenPart = 0.8;
 constexpr double kLeastSamples = 2;  // that a box must explain
 constexpr int kSweeps = 60;
-constexpr double kConverged = 1e-3;  // change of an amplitude in a sweep
+constexpr double kConverged = 1e-4;  // change of an amplitude in a sweep
 
 /// What a box of amplitude 1 returns under a constant light of radiance 1.
 double energyOf(const Box& box, vec3 normal) {
@@ -57,10 +57,14 @@ void VisibilityFitter::Fit::insertBoxes(const Options& options) {
 
 void VisibilityFitter::Fit::refine() {
   for (size_t i = 0; i < boxes.size(); ++i) {
+    const GridBox before = boxes[i];
+    const std::vector<double> kept = amplitudes;
     amplitudes[i] = 0;
     updateResidual();
     search.descend(boxes[i], 2);
     solve();
+    // Where the others leaned on the box that moved away, it stays.
+    if (open > 0 && !cells.isPaintBounded()) boxes[i] = before, amplitudes = kept;
   }
 }
 

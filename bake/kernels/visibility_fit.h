@@ -28,9 +28,9 @@ class VisibilityFitter {
   explicit VisibilityFitter(Options options) : options_(options) {}
 
   /// `first`: cosine-distributed directions around normals whose mean is the unit vector `normal`. Boxes in
-  /// the order of what they gained, amplitudes from 0, or from -1 on before the whole sphere; under a
-  /// constant light they return the part of the paths that went straight, but for the rounding of half
-  /// floats. Empty if none did. Deterministic.
+  /// the order of what they gained, amplitudes from 0 on, or with the whole sphere a sum of the others
+  /// between -1 and 0 everywhere; under a constant light they return the part of the paths that went
+  /// straight, but for the rounding of half floats. Empty if none did. Deterministic.
   std::vector<CosineBox> fit(std::span<const FirstDirection> first, vec3 normal);
 
  private:

@@ -47,6 +47,7 @@ class Bsdf {
   /// Those of them that are not reflected by microfacets: transmission, sheen.
   uint32_t unmirroredCount() const;
   Rgb f0() const { return fresnel_.f0(); }
+  bool isFilmed() const { return fresnel_.isFilmed(); }
   vec2 alpha() const { return specular_.alpha(); }
 
  private:

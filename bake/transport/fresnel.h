@@ -25,6 +25,8 @@ class Fresnel {
   /// The largest channel of the dielectric part: what keeps light from the diffuse and transmitting lobes.
   float dielectric(float vDotH) const;
 
+  bool isFilmed() const { return film_ > 0.0f; }
+
   // As the pixel takes them for its albedo tables.
   const Rgb& f0() const { return f0_; }
   float f90() const { return f90_; }

@@ -12,9 +12,9 @@ namespace {
 constexpr int kMaskTries = 16;        ///< points drawn on a texel before it counts as cut away by its mask
 constexpr uint32_t kReachPaths = 64;  ///< of isReached
 constexpr int kReachBounces = 8;
-/// That throughputs are divided by: where a film has next to none in one channel, its kernels stay half
-/// floats.
-constexpr float kLeastAlbedo = 1e-4f;
+/// That throughputs are divided by. Under a film, which may reflect a channel that its albedo has next to
+/// none of, kernels must stay half floats.
+float leastAlbedo(const Bsdf& bsdf) { return bsdf.isFilmed() ? 1e-4f : 1e-6f; }
 
 /// `local` as seen in some frame whose z is the unit vector `axis`.
 vec3 alignTo(vec3 axis, vec3 local) {
@@ -35,7 +35,7 @@ struct FirstThroughput {
 };
 
 FirstThroughput firstThroughput(const Bsdf& bsdf, const LobeSample& drawn) {
-  const Rgb albedo = glm::max(bsdf.viewDependentAlbedo(), Rgb(kLeastAlbedo));
+  const Rgb albedo = glm::max(bsdf.viewDependentAlbedo(), Rgb(leastAlbedo(bsdf)));
   if (drawn.delta) return {drawn.weight / albedo};
   if (drawn.wi == vec3(0.0f)) return {};
   const LobeValue lobes = bsdf.evaluate(drawn.wi, kViewDependent);
@@ -157,7 +157,8 @@ void PathTracer::traceGlossy(const PathOrigin& origin, vec3 wo, const StreamKey&
     const vec2 random = sampler.next2();
     const float choice = bsdf.viewDependentCount() > 1 ? sampler.next() : 0.0f;
     const LobeSample drawn = bsdf.sample(choice, random, kViewDependent);
-    paths.hidden += double(luminance(drawn.lost / glm::max(bsdf.viewDependentAlbedo(), Rgb(kLeastAlbedo))));
+    paths.hidden +=
+        double(luminance(drawn.lost / glm::max(bsdf.viewDependentAlbedo(), Rgb(leastAlbedo(bsdf)))));
     const FirstThroughput throughput = firstThroughput(bsdf, drawn);
     PathState state{-wo, throughput.all, origin.media};
     if (!(maxComponent(state.throughput) > 0.0f)) continue;

@@ -53,10 +53,13 @@ bool hasSheen(const asset::Asset& asset) {
 bool hasSplitLobes(const asset::Asset& asset) { return !asset.visibilityMaps.empty(); }
 
 bool hasWideLobes(const asset::Asset& asset) {
+  const auto isWide = [](float roughness) { return roughness * roughness > kWideFrom; };
   return hasSplitLobes(asset) &&
-         std::any_of(asset.records.begin(), asset.records.end(), [](const asset::TexelRecord& record) {
-           return record.roughness * record.roughness > kWideFrom;
-         });
+         (std::any_of(asset.materials.begin(), asset.materials.end(),
+                      [&](const asset::Material& material) { return isWide(material.roughness); }) ||
+          anyExtension(asset, [&](const asset::MaterialExtension& e) {
+            return e.clearcoat > 0.0f && isWide(e.clearcoatRoughness);
+          }));
 }
 
 bool hasDirectionCells(const asset::Asset& asset) { return !asset.cellSphere.empty(); }

@@ -12,7 +12,8 @@ namespace boxlight::gpu {
 bool isGlossy(const asset::Asset& asset);
 /// Has any record a Lambert kernel?
 bool hasLambertKernels(const asset::Asset& asset);
-/// Has any record a split lobe that is seen by cells of the light (wide_lobe.h)?
+/// May any pixel have a split lobe that is seen by cells of the light (wide_lobe.h)? Textures only reduce
+/// what a material says.
 bool hasWideLobes(const asset::Asset& asset);
 /// Are the light's moments asked for?
 inline bool needsMoments(const asset::Asset& asset) {

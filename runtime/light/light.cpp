@@ -50,11 +50,11 @@ void Light::setTilt(EnvironmentTilt tilt) {
 
 void Light::prepare() {
   map_.setTilt(device_, bindings_, image_, tilt_);
-  const double total = strongestTotal(image_) * (tilt_.isLevel() ? 1.0 : kTiltMargin);
-  const FixedPoint fixedPoint = chooseFixedPoint(total, settings_.size, settings_.scheme);
+  const double total = strongestTotal(image_), margin = tilt_.isLevel() ? 1.0 : kTiltMargin;
+  const FixedPoint fixedPoint = chooseFixedPoint(total * margin, settings_.size, settings_.scheme);
   nextUnit_ = fixedPoint.unit;
   table_.setFixedPoint(device_, bindings_, fixedPoint);
-  if (moments_) moments_->setTotal(device_, bindings_, total);
+  if (moments_) moments_->setTotal(device_, bindings_, total, margin);
   needsBuild_ = true;
 }
 

@@ -98,12 +98,14 @@ MomentPass::MomentPass(Device& device, Bindings& bindings, uvec2 mapSize)
   bindings.set(gpu::kMomentCells, cells_);
 }
 
-void MomentPass::setTotal(Device& device, Bindings& bindings, double total) {
-  nextUnit_ = float(std::max(std::ldexp(total * kMargin, -kTotalBits), kSmallestUnit));
+void MomentPass::setTotal(Device& device, Bindings& bindings, double total, double margin) {
+  nextUnit_ = float(std::max(std::ldexp(total * margin * kMargin, -kTotalBits), kSmallestUnit));
+  const double least = kLeastBright * total / double(nextUnit_);
   MomentConstants constants{};
   constants.mapSize = mapSize_;
   constants.perUnit = 1.0f / nextUnit_;
   constants.rowShares = rowShares_;
+  constants.leastSquare = std::max(float(least * least), 1.0f);
   upload(device, constants_, std::as_bytes(std::span(&constants, 1)));
   bindings.set(gpu::kMomentTable, tables_[1 - shown_]);
 }

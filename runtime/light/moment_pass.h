@@ -17,8 +17,9 @@ class MomentPass {
   /// `bindings`: of the light's passes; the light map, of `mapSize`, is bound there.
   MomentPass(Device& device, Bindings& bindings, uvec2 mapSize);
 
-  /// Of the light to build: radiance times steradian of its strongest channel over the whole sphere.
-  void setTotal(Device& device, Bindings& bindings, double total);
+  /// Of the light to build: radiance times steradian of its strongest channel over the whole sphere, and how
+  /// many times that its map may have.
+  void setTotal(Device& device, Bindings& bindings, double total, double margin);
   void build(Commands& commands) const;
   /// After the build has run: shows what was built.
   void flip();
