@@ -133,6 +133,38 @@ TEST(VisibilityFit, FewPathsOfAllKindsAreFinite) {
     for (const auto& [box, amplitude] : fit(first, kTilted)) EXPECT_TRUE(std::isfinite(amplitude));
 }
 
+/// What the boxes beside the whole sphere take away together, in a direction.
+double takenAway(const std::vector<CosineBox>& boxes, vec2 uv) {
+  double sum = 0;
+  for (const CosineBox& box : boxes) {
+    const double u = double(uv.x) - double(box.box.u0), v = double(uv.y) - double(box.box.v0);
+    if (!box.isWhole() && u - std::floor(u) < double(box.box.du) && v >= 0 && v < double(box.box.dv))
+      sum += double(box.amplitude);
+  }
+  return sum;
+}
+
+/// Else a sun that is hidden would be taken away twice. Walls and tilted slats, on the horizon where least
+/// squares sees little of them.
+TEST(VisibilityFit, NoDirectionIsTakenAwayTwice) {
+  for (const float tilt : {0.0f, 0.4f, 0.8f, 1.2f}) {
+    const vec3 across = glm::normalize(vec3(std::cos(tilt), 0.6f * std::sin(tilt), std::sin(tilt)));
+    const auto first = directions(kTilted, 128, [&](vec3 d) {
+      const float height = glm::dot(d, kTilted), slat = std::sin(9 * glm::dot(d, across));
+      return height > 0.25f + 0.3f * slat;
+    });
+    ASSERT_GT(straightPart(first), 0.8) << "where boxes take away";
+    const auto boxes = fit(first, kTilted);
+    ASSERT_GT(boxes.size(), 4u);
+    for (int y = 0; y < 64; ++y)
+      for (int x = 0; x < 128; ++x) {
+        const double taken = takenAway(boxes, {(float(x) + 0.5f) / 128, (float(y) + 0.5f) / 64});
+        ASSERT_GT(taken, -1.01) << "tilt " << tilt << " at " << x << ' ' << y;
+        ASSERT_LT(taken, 0.01) << "tilt " << tilt << " at " << x << ' ' << y;
+      }
+  }
+}
+
 TEST(VisibilityFit, EdgesLieOnTheRasterOfTheFormat) {
   const auto first = directions(kTilted, 64, [](vec3 d) { return d.x + 0.3f * d.z > 0.1f; });
   for (const CosineBox& box : fit(first, kTilted)) {
