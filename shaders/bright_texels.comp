@@ -13,8 +13,8 @@ shared uint counts[kBins], found[kGroupSize], leastBin;
 
 /// Of lattice texel `i`; kBins for what is too faint.
 uint binOf(uint i) {
-  float square = texels[kMomentSquares + i];
-  return square < source.leastSquare ? kBins : min((floatBitsToUint(square) - floatBitsToUint(source.leastSquare)) >> 20, kBins - 1);
+  float ratio = texels[kMomentSquares + i] / source.leastSquare;
+  return ratio < 1.0 ? kBins : min((floatBitsToUint(ratio) - floatBitsToUint(1.0)) >> 20, kBins - 1);
 }
 
 void findLeastBin() {

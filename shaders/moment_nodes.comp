@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Last pass: the moments of the hemispheres above a grid of normals (light_moments.h: makeNodes). The normals stand in the table
+// Sixth pass: the moments of the hemispheres above a grid of normals (light_moments.h: makeNodes). The normals stand in the table
 // already, as each node's w.
 #include "moment_source.glsl"
 

@@ -156,11 +156,14 @@ SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place 
 // uvec4[bright][axis]: their sums, and as w the cell that they lie in, column and row on the lattice.
 SHARED_CONSTANT kBrightTexels = 32;
 SHARED_CONSTANT kMomentBright = kMomentNodes + 3 * kHorizonNodeCount;
-// Then the cells and the blocks of 2 x 2 of them (LightCell): uvec4[cell][axis], floats: light of R, G, B and
-// a light of 1.
-SHARED_CONSTANT kMomentLightCells = kMomentBright + 1 + 3 * kBrightTexels;
-SHARED_CONSTANT kMomentBlocks = kMomentLightCells + 3 * kHorizonCellCount;
-SHARED_CONSTANT kMomentEnd = kMomentBlocks + 3 * kHorizonCellCount / 4;
+// Then the cells of the light's trees (common/light/light_tree.h), LightCell: uvec4[cell][axis], floats:
+// light of R, G, B and a light of 1.
+SHARED_CONSTANT kTreeRoots = 88;
+SHARED_CONSTANT kTreeLevels = 5;
+SHARED_CONSTANT kTreeLeaves = 256;  // of each
+SHARED_CONSTANT kTreeCells = kTreeRoots * 341;
+SHARED_CONSTANT kMomentTree = kMomentBright + 1 + 3 * kBrightTexels;
+SHARED_CONSTANT kMomentEnd = kMomentTree + 3 * kTreeCells;
 SHARED_CONSTANT kMomentSquares = 9 * kMomentColumns * kMomentRows;  // place among the lattice's texels
 
 struct FrameConstants {

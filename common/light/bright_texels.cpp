@@ -10,10 +10,12 @@ namespace {
 
 constexpr int kBins = 256;
 
-/// By the first bits of the square, as shaders/bright_texels.comp does it; negative for what is too faint.
+/// Of the square over the least, by its first bits, as shaders/bright_texels.comp does it; negative for what
+/// is too faint.
 int binOf(double strength) {
-  const auto bits = [](double s) { return int(std::bit_cast<uint32_t>(float(s * s)) >> 20); };
-  return std::min(bits(strength) - bits(kLeastBright), kBins - 1);
+  const double ratio = strength / kLeastBright;
+  const auto bits = [](double square) { return int(std::bit_cast<uint32_t>(float(square)) >> 20); };
+  return std::min(bits(ratio * ratio) - bits(1.0), kBins - 1);
 }
 
 }  // namespace

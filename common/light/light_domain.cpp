@@ -25,6 +25,8 @@ double rectangleSolidAngle(double du, double v0, double v1) {
   return 4.0 * kPiDouble * du * std::sin(0.5 * (a + b)) * std::sin(0.5 * (b - a));
 }
 
+double Rectangle::solidAngle() const { return rectangleSolidAngle(du, v0, v0 + dv); }
+
 dvec3 meanDirection(double u0, double v0, double du, double dv) {
   const double t = kPiDouble * (v0 + 0.5 * dv), h = 0.5 * kPiDouble * dv, p = kPiDouble * (2 * u0 + du - 1);
   const double excess = h < 1e-3 ? 2.0 / 3.0 * h * h * h : h - std::sin(h) * std::cos(h);

@@ -17,6 +17,12 @@ vec3 uvToDirection(vec2 uv);
 /// v1)).
 double rectangleSolidAngle(double du, double v0, double v1);
 
+/// A phi-theta rectangle of the light domain in double precision; u may lie outside [0,1) and wraps.
+struct Rectangle {
+  double u0 = 0, v0 = 0, du = 0, dv = 0;
+  double solidAngle() const;
+};
+
 /// Mean of the unit vectors of the rectangle [u0, u0 + du] x [v0, v0 + dv], by solid angle: its length falls
 /// from 1 for a point to 0 for the whole sphere. du, dv > 0.
 ///   y  = cos t cos h ,  (x, z) = (cos p, sin p) sin(pi du)/(pi du) (sin t cos h + (h - sin h cos h)/(2 sin t

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/light/light_moments.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/light/bright_texels.h"
@@ -37,12 +38,6 @@ dmat3 above(const dmat3& moment, dvec3 normal) {
   return result;
 }
 
-dvec3 cellOfOne(uint32_t x, uint32_t y) {
-  const dvec2 size = 1.0 / dvec2(kHorizonCells);
-  return rectangleSolidAngle(size.x, y * size.y, (y + 1) * size.y) *
-         meanDirection(x * size.x, y * size.y, size.x, size.y);
-}
-
 }  // namespace
 
 LightMoments::LightMoments(const Image& lightMap)
@@ -50,8 +45,15 @@ LightMoments::LightMoments(const Image& lightMap)
       nodes_(size_t(kHorizonNodes.x) * kHorizonNodes.y, dmat3(0.0)) {
   addTexels(lightMap);
   separateBrightTexels(lightMap);
-  makeCells();
+  tree_ = LightTree([this](uint32_t x, uint32_t y) {
+    return isBright({x, y}) ? dmat3(0.0) : strip(x, y, y + 1);
+  });
   makeNodes();
+}
+
+bool LightMoments::isBright(uvec2 at) const {
+  return std::any_of(bright_.begin(), bright_.end(),
+                     [at](const BrightTexel& bright) { return bright.at == at; });
 }
 
 void LightMoments::addTexels(const Image& lightMap) {
@@ -69,25 +71,6 @@ void LightMoments::addTexels(const Image& lightMap) {
         }
       sums_[size_t(y + 1) * (kColumns + 1) + x + 1] = sum(x + 1, y) + row;
     }
-  }
-}
-
-void LightMoments::makeCells() {
-  constexpr uvec2 kSize = kMomentSize / kHorizonCells;
-  for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i) {
-    const uvec2 at(i % kHorizonCells.x, i / kHorizonCells.x), from = at * kSize, to = from + kSize;
-    cells_.push_back({sum(to.x, to.y) - sum(from.x, to.y) - (sum(to.x, from.y) - sum(from.x, from.y)),
-                      cellOfOne(at.x, at.y)});
-  }
-  for (const BrightTexel& bright : bright_) {
-    const uvec2 at = bright.at / kSize;
-    cells_[at.y * kHorizonCells.x + at.x].light -= bright.light;
-  }
-  blocks_.resize(cells_.size() / 4);
-  for (uint32_t i = 0; i < cells_.size(); ++i) {
-    const uvec2 at = uvec2(i % kHorizonCells.x, i / kHorizonCells.x) / 2u;
-    LightCell& block = blocks_[at.y * (kHorizonCells.x / 2) + at.x];
-    block.light += cells_[i].light, block.one += cells_[i].one;
   }
 }
 
@@ -110,14 +93,32 @@ void LightMoments::separateBrightTexels(const Image& lightMap) {
   }
 }
 
+/// Of kHorizonCells.
+std::vector<LightCell> LightMoments::horizonCells() const {
+  constexpr uvec2 kSize = kMomentSize / kHorizonCells;
+  std::vector<LightCell> cells;
+  for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i) {
+    const uvec2 at = uvec2(i % kHorizonCells.x, i / kHorizonCells.x) * kSize, to = at + kSize;
+    const Rectangle r = rectangleOf(TreeCell::Texels{at, kSize}, 0.0);
+    cells.push_back({sum(to.x, to.y) - sum(at.x, to.y) - (sum(to.x, at.y) - sum(at.x, at.y)),
+                     r.solidAngle() * meanDirection(r.u0, r.v0, r.du, r.dv)});
+  }
+  for (const BrightTexel& bright : bright_) {
+    const uvec2 at = bright.at / kSize;
+    cells[at.y * kHorizonCells.x + at.x].light -= bright.light;
+  }
+  return cells;
+}
+
 /// What cells on the horizon lose or have too much is made up for by their mean radiance.
 void LightMoments::makeNodes() {
+  const std::vector<LightCell> cells = horizonCells();
   for (uint32_t i = 0; i < nodes_.size(); ++i) {
     const dvec3 normal = direction(double(i % kHorizonNodes.x) / kHorizonNodes.x,
                                    double(i / kHorizonNodes.x) / (kHorizonNodes.y - 1));
     dvec3 missing = kPiDouble * normal, radiance(0.0);  // the first of a light of 1
     double weights = 0;
-    for (const auto& [moment, one] : cells_) {
+    for (const auto& [moment, one] : cells) {
       nodes_[i] += above(moment, normal);
       const double cosine = glm::dot(normal, one), square = glm::dot(one, one);
       if (cosine > 0.0) missing -= one;

@@ -4,17 +4,9 @@
 #include <vector>
 
 #include "common/image/image.h"
-#include "common/light/moment_cover.h"
+#include "common/light/light_tree.h"
 
 namespace boxlight {
-
-struct Rectangle;
-
-/// A cell of the light domain.
-struct LightCell {
-  dmat3 light{0.0};  ///< int L w dw, one column a channel
-  dvec3 one{0.0};    ///< that of a light of 1
-};
 
 /// Integrals of a distant light times its direction, int L w dw, one column a channel: what the normal n of a
 /// Lambert surface is multiplied with to get its irradiance, exactly wherever in a box the light is (theory
@@ -28,10 +20,8 @@ class LightMoments {
   /// are rounded to the lattice of kMomentSize. Inside a texel of that the light counts as even in u.
   dmat3 integrate(const Rectangle& rectangle, double uOffset = 0.0) const;
 
-  /// Of kHorizonCells and of blocks of 2 x 2 of them, in the light map's directions, both without the bright
-  /// texels.
-  const LightCell& cell(uvec2 at) const { return cells_[at.y * kHorizonCells.x + at.x]; }
-  const LightCell& block(uvec2 at) const { return blocks_[at.y * kHorizonCells.x / 2 + at.x]; }
+  /// In the light map's directions, without the bright texels.
+  const LightTree& tree() const { return tree_; }
 
   /// What hemispheres and cells leave out (findBrightTexels).
   struct BrightTexel {
@@ -52,14 +42,15 @@ class LightMoments {
  private:
   void addTexels(const Image& lightMap);
   void separateBrightTexels(const Image& lightMap);
-  void makeCells();
+  bool isBright(uvec2 at) const;
+  std::vector<LightCell> horizonCells() const;
   void makeNodes();
   dmat3 strip(uint32_t x, uint32_t y0, uint32_t y1) const;
   const dmat3& sum(uint32_t x, uint32_t y) const { return sums_[size_t(y) * (kMomentSize.x + 1) + x]; }
 
   std::vector<dmat3> sums_;  // over everything above and left of a lattice point
-  std::vector<LightCell> cells_, blocks_;
   std::vector<BrightTexel> bright_;
+  LightTree tree_;
   std::vector<dmat3> nodes_;  // moments of hemispheres, without those
 };
 

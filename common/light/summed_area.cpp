@@ -9,8 +9,6 @@
 
 namespace boxlight {
 
-double Rectangle::solidAngle() const { return rectangleSolidAngle(du, v0, v0 + dv); }
-
 namespace {
 
 /// Whole texels [first, last) along one axis and the part of each that a rectangle covers.

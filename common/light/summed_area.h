@@ -9,11 +9,6 @@
 
 namespace boxlight {
 
-/// A phi-theta rectangle of the light domain in double precision; u may lie outside [0,1) and wraps.
-struct Rectangle {
-  double u0 = 0, v0 = 0, du = 0, dv = 0;
-  double solidAngle() const;
-};
 inline Rectangle rectangleOf(const Box& box) { return {box.u0, box.v0, box.du, box.dv}; }
 
 /// Integrals of a light map over rectangles, in double precision from a summed-area table. The map is

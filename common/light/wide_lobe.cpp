@@ -9,9 +9,10 @@ namespace boxlight {
 namespace {
 
 constexpr double kOpen = 1 - 1e-5;
-constexpr double kFarBelow =
-    -0.3;  ///< cosine of a block's middle from which on all of it is below the horizon
 constexpr float kLeastCosine = 1e-4f;
+constexpr double kCellRadius = 0.75;  ///< over its height
+constexpr double kRowHeight = kPiDouble / kMomentSize.y;
+constexpr uint32_t kMostHiddenLevel = 3;  ///< of cells that may be hidden in part
 
 double strength(dvec3 c) { return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722)); }
 
@@ -41,7 +42,22 @@ class Density {
            double(ggx::visibility(light, view_, lobe_.alpha));
   }
 
+  /// Does the lobe vary little enough in a cell of this height around a direction?
+  bool resolves(dvec3 direction, double height) const {
+    vec3 light(direction * frame_);
+    light.z = std::max(light.z, kLeastCosine);
+    const vec3 half = glm::normalize(view_ + light);
+    const auto facing = std::max(double(glm::dot(view_, half)), kLeastFacing);
+    const double reach = kCellRadius * height / (2 * facing);
+    const dvec2 nearest = glm::max(glm::abs(dvec2(half) / double(half.z)) - reach, dvec2(0.0));
+    const dvec2 slope = nearest / dvec2(lobe_.alpha);
+    const auto alpha = double(std::min(lobe_.alpha.x, lobe_.alpha.y));
+    return height <= kCellsToLobe * 2 * facing * alpha * std::sqrt(1 + glm::dot(slope, slope));
+  }
+
  private:
+  static constexpr double kLeastFacing = 0.02;
+
   const GgxLobe& lobe_;
   dmat3 frame_;  // columns: tangent, bitangent and normal, in the light map's directions
   vec3 view_;    // local
@@ -71,41 +87,48 @@ struct CellSums {
   }
 };
 
-/// In the world's directions.
-Rectangle cellOf(uvec2 at, uvec2 count, double uOffset) {
-  const dvec2 size = 1.0 / dvec2(count);
-  const double u = at.x * size.x - uOffset;
-  return {u - std::floor(u), at.y * size.y, size.x, size.y};
+/// Adds the cells of one tree.
+void addTree(uint32_t root, const VisibleCells& cells, const LightMoments& light, CellSums& sums) {
+  const TreeCell whole{root};
+  const bool open = cells.part(whole) >= kOpen;
+  for (TreeCell at = whole; !at.isEnd();) {
+    const LightCell& cell = light.tree().cell(at);
+    const double height = kRowHeight * at.rows();
+    const dvec3 direction = glm::normalize(cell.one);
+    const bool below = glm::dot(sums.density.normal(), direction) < -kCellRadius * height;
+    const bool small =
+        at.level == 0 || ((open || at.level <= kMostHiddenLevel) && sums.density.resolves(direction, height));
+    if (!below && !small) {
+      at.enter();
+      continue;
+    }
+    if (!below) sums.add(cell, open ? 1.0 : cells.part(at));
+    at.pass();
+  }
 }
 
 }  // namespace
 
-VisibleCells::VisibleCells(const FilteredVisibility& visibility, double uOffset) {
-  for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i)
-    parts_.push_back(
-        visiblePart(cellOf({i % kHorizonCells.x, i / kHorizonCells.x}, kHorizonCells, uOffset), visibility));
+VisibleCells::VisibleCells(const FilteredVisibility& visibility, double uOffset)
+    : visibility_(visibility), uOffset_(uOffset), parts_(kTreeCells, -1.0f) {}
+
+double VisibleCells::part(const TreeCell& cell) const {
+  float& part = parts_[cell.place()];
+  if (part < 0) part = float(visiblePart(rectangleOf(cell.texels(), uOffset_), visibility_));
+  return double(part);
 }
 
-SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,
-                    const LightMoments& light, double uOffset) {
+double VisibleCells::part(uvec2 latticeTexel) const {
+  return visiblePart(rectangleOf({latticeTexel, uvec2(1)}, uOffset_), visibility_);
+}
+
+SeenLobe seeByCells(const GgxLobe& lobe, const VisibleCells& cells, const LightMoments& light,
+                    double uOffset) {
   const Density density(lobe, uOffset);
   CellSums sums{density};
-  constexpr uvec2 kBlocks = kHorizonCells / 2u;
-  const bool merges = std::min(lobe.alpha.x, lobe.alpha.y) >= kMergedFrom;
-  for (uint32_t i = 0; i < kBlocks.x * kBlocks.y; ++i) {
-    const uvec2 at(i % kBlocks.x, i / kBlocks.x);
-    const LightCell& block = light.block(at);
-    if (glm::dot(density.normal(), glm::normalize(block.one)) < kFarBelow) continue;
-    bool open = merges;
-    for (uint32_t k = 0; k < 4; ++k) open = open && cells.part(2u * at + uvec2(k & 1, k >> 1)) >= kOpen;
-    if (open) sums.add(block, 1.0);
-    for (uint32_t k = 0; k < 4 && !open; ++k) {
-      const uvec2 quarter = 2u * at + uvec2(k & 1, k >> 1);
-      sums.add(light.cell(quarter), cells.part(quarter));
-    }
-  }
+  for (uint32_t root = 0; root < kTreeRoots; ++root) addTree(root, cells, light, sums);
   for (const LightMoments::BrightTexel& bright : light.brightTexels())
-    sums.addLight(bright.light, visiblePart(cellOf(bright.at, kMomentSize, uOffset), visibility));
+    sums.addLight(bright.light, cells.part(bright.at));
   const dvec3 all = glm::max(sums.all, dvec3(1e-30));
   return {sums.radiance / all, std::max(1.0 - strength(sums.direct / all), 0.0),
           density.toWorld(sums.towards) / strength(all)};
@@ -122,10 +145,10 @@ SeenLobe seeByBoxes(const GgxLobe& lobe, const FilteredVisibility& visibility, c
 
 SeenLobe seeLobe(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,
                  const SummedArea& light, double uOffset) {
-  const float alpha = std::min(lobe.alpha.x, lobe.alpha.y);
-  const double part = double(std::clamp((alpha - kWideFrom) / (kWideTo - kWideFrom), 0.0f, 1.0f));
+  const float width = std::min(lobe.alpha.x, lobe.alpha.y) * glm::dot(lobe.normal, lobe.view);
+  const double part = double(std::clamp((width - kWideFrom) / (kWideTo - kWideFrom), 0.0f, 1.0f));
   if (part <= 0) return seeByBoxes(lobe, visibility, light, uOffset);
-  const SeenLobe byCells = seeByCells(lobe, visibility, cells, light.moments(), uOffset);
+  const SeenLobe byCells = seeByCells(lobe, cells, light.moments(), uOffset);
   if (part >= 1) return byCells;
   const SeenLobe byBoxes = seeByBoxes(lobe, visibility, light, uOffset);
   const auto mix = [part](auto a, auto b) { return a * (1 - part) + b * part; };

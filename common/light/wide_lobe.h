@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "common/light/light_tree.h"
 #include "common/light/lobe_boxes.h"
 #include "common/light/lobe_clip.h"
 
@@ -19,35 +20,45 @@ struct SeenLobe {
   vec3 hiddenDirection() const { return ClippedLobe{.towards = towards}.hiddenDirection(); }
 };
 
-/// The visible parts of the light's cells, turned by uOffset (environmentOffset).
+/// The visible parts of the light's cells, of a light turned by uOffset (environmentOffset). They are kept
+/// when first asked for: not for several threads at once.
 class VisibleCells {
  public:
   explicit VisibleCells(const FilteredVisibility& visibility, double uOffset = 0.0);
-  double part(uvec2 cell) const { return parts_[cell.y * kHorizonCells.x + cell.x]; }
+  double part(const TreeCell& cell) const;
+  double part(uvec2 latticeTexel) const;
 
  private:
-  std::vector<double> parts_;
+  FilteredVisibility visibility_;
+  double uOffset_;
+  mutable std::vector<float> parts_;  // negative where not yet known
 };
 
-/// Boxes of constant density cannot follow a lobe that is wide: under a sun their edges show. Of a wide lobe
-/// each cell of the light (LightMoments) is weighed by the density f of the lobe where in the cell the light
-/// is, with its moment M_c, its mean direction d_c = M_c / |M_c| and its visible part V_c:
+/// Boxes of constant density cut off the tails of a lobe, and under a sun or a lamp their edges show. Of a
+/// lobe that is wider than the lattice of the light's moments each cell of the light (LightTree) is weighed
+/// by the density f of the lobe where in the cell the light is, with its moment M_c, its mean direction
+/// d_c = M_c / |M_c| and its visible part V_c:
 ///
 ///   L = sum_c V_c f(d_c) n.M_c / sum_c f(e_c) n.N_c ,     N_c = int over c of w dw,  e_c = N_c / |N_c|:
 ///
-/// a sun counts where it stands, and a constant light returns 1 - hidden. Cells are
-/// of 11.25 degrees, of lobes from kMergedFrom on blocks of 2 x 2 of them where nothing is hidden, and each
-/// bright texel by itself, so that a sun is hidden as the maps have it.
-SeenLobe seeByCells(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,
-                    const LightMoments& light, double uOffset = 0.0);
+/// a sun counts where it stands, and a constant light returns 1 - hidden. Cells are as small as the lobe
+/// varies in them (kCellsToLobe), no larger than 11.25 degrees where something near them is hidden, and each
+/// bright texel counts by itself, so that a sun is hidden as the maps have it.
+SeenLobe seeByCells(const GgxLobe& lobe, const VisibleCells& cells, const LightMoments& light,
+                    double uOffset = 0.0);
+
+/// A cell's height, over what the lobe's width would be had it the density that it has at the cell's nearest
+/// point in its middle: of a half vector of slopes s, 2 v.h alpha sqrt(1 + (s_x / alpha_x)^2 +
+/// (s_y / alpha_y)^2), with the smaller alpha.
+inline constexpr double kCellsToLobe = 1.25;
 
 /// clipLobe of lobeBoxes.
 SeenLobe seeByBoxes(const GgxLobe& lobe, const FilteredVisibility& visibility, const SummedArea& light,
                     double uOffset = 0.0);
 
-/// The smaller alpha from which on cells take part, and from which on they are all.
-inline constexpr float kWideFrom = 0.1f, kWideTo = 0.13f;
-inline constexpr float kMergedFrom = 0.4f;
+/// The smaller alpha times n.v, half the width that a lobe has across the plane of the view: from the first
+/// on cells take part, from the second on they are all.
+inline constexpr float kWideFrom = 0.005f, kWideTo = 0.01f;
 
 /// By the one, the other, or in between by both.
 SeenLobe seeLobe(const GgxLobe& lobe, const FilteredVisibility& visibility, const VisibleCells& cells,

@@ -6,10 +6,10 @@
 #include <span>
 
 #include "common/light/bright_texels.h"
-#include "common/light/light_domain.h"
-#include "common/light/moment_cover.h"
+#include "common/light/light_tree.h"
 #include "shaders/shared.h"
 #include "spirv/bright_texels_comp.h"
+#include "spirv/light_tree_comp.h"
 #include "spirv/moment_cells_comp.h"
 #include "spirv/moment_columns_comp.h"
 #include "spirv/moment_nodes_comp.h"
@@ -23,6 +23,8 @@ static_assert(kMomentColumns == kMomentSize.x && kMomentRows == kMomentSize.y);
 static_assert(kHorizonColumns == kHorizonNodes.x && kHorizonRows == kHorizonNodes.y);
 static_assert(kHorizonCellColumns == kHorizonCells.x && kHorizonCellRows == kHorizonCells.y);
 static_assert(gpu::kBrightTexels == boxlight::kBrightTexels);
+static_assert(gpu::kTreeRoots == boxlight::kTreeRoots && gpu::kTreeLevels == boxlight::kTreeLevels);
+static_assert(gpu::kTreeLeaves == boxlight::kTreeLeaves && gpu::kTreeCells == boxlight::kTreeCells);
 
 constexpr int kTotalBits = 30;     // a sum of either sign, and as much again
 constexpr double kMargin = 1.001;  // of sums rounded to floats
@@ -44,15 +46,25 @@ std::vector<float> weightsOf(const MomentCover& cover) {
   return weights;
 }
 
-/// The moments of a light of 1 over the cells, as their w.
-std::vector<vec4> makeCells() {
+/// Moments of a light of 1, as each cell's w.
+void addCell(std::vector<vec4>& cells, dvec3 one) {
+  for (int axis = 0; axis < 3; ++axis) cells.emplace_back(0, 0, 0, float(one[axis]));
+}
+
+std::vector<vec4> makeHorizonCells() {
   std::vector<vec4> cells;
-  const dvec2 size = 1.0 / dvec2(kHorizonCells);
+  constexpr uvec2 kSize = kMomentSize / kHorizonCells;
   for (uint32_t i = 0; i < kHorizonCellCount; ++i) {
-    const double u = double(i % kHorizonCellColumns) * size.x, v = double(i / kHorizonCellColumns) * size.y;
-    const dvec3 moment = rectangleSolidAngle(size.x, v, v + size.y) * meanDirection(u, v, size.x, size.y);
-    for (int axis = 0; axis < 3; ++axis) cells.emplace_back(0, 0, 0, float(moment[axis]));
+    const uvec2 at = uvec2(i % kHorizonCellColumns, i / kHorizonCellColumns) * kSize;
+    const Rectangle r = rectangleOf(TreeCell::Texels{at, kSize}, 0.0);
+    addCell(cells, r.solidAngle() * meanDirection(r.u0, r.v0, r.du, r.dv));
   }
+  return cells;
+}
+
+std::vector<vec4> makeTreeCells() {
+  std::vector<vec4> cells;
+  for (const dvec3 one : momentsOfOne()) addCell(cells, one);
   return cells;
 }
 
@@ -75,21 +87,24 @@ MomentPass::MomentPass(Device& device, Bindings& bindings, uvec2 mapSize)
       covers_(device, "covers of the moments", 0),
       weights_(device, "weights of the moments", 0),
       texels_(device, "texels of the moments", 10 * kMomentColumns * kMomentRows * sizeof(float)),
-      cells_(makeBuffer(device, "cells of the moments", makeCells())),
+      cells_(makeBuffer(device, "cells of the moments", makeHorizonCells())),
       moments_(device, bindings, moments_comp),
       rows_(device, bindings, moment_rows_comp),
       columns_(device, bindings, moment_columns_comp),
       brightTexels_(device, bindings, bright_texels_comp),
       cellSums_(device, bindings, moment_cells_comp),
-      nodes_(device, bindings, moment_nodes_comp) {
+      nodes_(device, bindings, moment_nodes_comp),
+      tree_(device, bindings, light_tree_comp) {
   const MomentCover cover = makeMomentCover(mapSize);
   rowShares_ = uint32_t(3 * cover.columnWeights.size());
   covers_ = makeBuffer(device, "covers of the moments", coversOf(cover));
   weights_ = makeBuffer(device, "weights of the moments", weightsOf(cover));
   const std::vector<uvec4> nodes = makeNodes();
+  const std::vector<vec4> cells = makeTreeCells();
   for (int i = 0; i < 2; ++i) {
     tables_.emplace_back(device, "moments of the light", kMomentEnd * sizeof(uvec4));
     upload(device, tables_.back(), std::as_bytes(std::span(nodes)), kMomentNodes * sizeof(uvec4));
+    upload(device, tables_.back(), std::as_bytes(std::span(cells)), kMomentTree * sizeof(uvec4));
   }
   bindings.set(gpu::kMomentConstants, constants_);
   bindings.set(gpu::kMomentCovers, covers_);
@@ -115,8 +130,9 @@ void MomentPass::build(Commands& commands) const {
   commands.dispatch(rows_, {groupsFor(3 * kMomentRows), 1, 1});
   commands.dispatch(columns_, {groupsFor(3 * kMomentStride), 1, 1});
   commands.dispatch(brightTexels_, {1, 1, 1});
-  commands.dispatch(cellSums_, {groupsFor(3 * kHorizonCellCount * 5 / 4), 1, 1});
+  commands.dispatch(cellSums_, {groupsFor(3 * kHorizonCellCount), 1, 1});
   commands.dispatch(nodes_, {groupsFor(kHorizonNodeCount), 1, 1});
+  commands.dispatch(tree_, {kTreeRoots, 1, 1});
 }
 
 void MomentPass::flip() {

@@ -8,10 +8,10 @@
 namespace boxlight::gpu {
 
 /// The moments of the light, int L w dw, as the shading pass reads them for cosine boxes: prefix sums on the
-/// lattice of kMomentSize, the hemispheres above a grid of normals, the bright texels and cells
-/// (shaders/shared.h: kMomentColumns), made on the device from the light map. The sums are of integers, the
-/// same on every device; a row is off by one unit at most. There are two tables: one is read while the other
-/// is built.
+/// lattice of kMomentSize, the hemispheres above a grid of normals, the bright texels and the
+/// light's trees (shaders/shared.h: kMomentColumns), made on the device from the light map. The sums are of
+/// integers, the same on every device; a row is off by one unit at most. There are two tables: one is read
+/// while the other is built.
 class MomentPass {
  public:
   /// `bindings`: of the light's passes; the light map, of `mapSize`, is bound there.
@@ -32,7 +32,7 @@ class MomentPass {
   float unit_ = 1, nextUnit_ = 1;
   Buffer constants_, covers_, weights_, texels_, cells_;
   std::vector<Buffer> tables_;
-  ComputePipeline moments_, rows_, columns_, brightTexels_, cellSums_, nodes_;
+  ComputePipeline moments_, rows_, columns_, brightTexels_, cellSums_, nodes_, tree_;
 };
 
 }  // namespace boxlight::gpu

@@ -127,28 +127,17 @@ void tryDirect(const KernelPaths& paths, const std::vector<ProbeLight>& lights, 
 }
 
 /// With as many boxes for what is hidden as a bake has, and with others.
-void trySplit(const LabScene& scene, const Subject& subject, vec3 direction,
-              const std::vector<ProbeLight>& lights, Row about, Sample& sample) {
+void trySplit(const SplitTexel& texel, const std::vector<uint32_t>& frequencies, Row about, Sample& sample) {
   about.terms = kLobeBoxes;
-  const auto add = [&](std::string method, const SplitOptions& options) {
+  const auto add = [&](std::string method, Radiances radiances) {
     about.method = std::move(method);
-    sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
+    sample.trials.push_back({about, std::move(radiances)});
   };
-  add("split", {.paths = about.paths});
-  for (const uint32_t boxes : {1u, 2u, 4u})
-    add(fmt::format("split, {} hidden", boxes), {.hiddenBoxes = boxes, .paths = about.paths});
-}
-
-void tryCells(const LabScene& scene, const Subject& subject, vec3 direction,
-              const std::vector<uint32_t>& frequencies, const std::vector<ProbeLight>& lights, Row about,
-              Sample& sample) {
-  SplitOptions options{.hiddenBoxes = KernelOptions{}.hiddenBoxes(true), .paths = about.paths};
-  about.terms = kLobeBoxes;
-  for (const uint32_t frequency : frequencies) {
-    options.cells = frequency;
-    about.method = fmt::format("cells, {} directions", 10 * frequency * frequency + 2);
-    sample.trials.push_back({about, SplitTexel(scene, subject, options).relight(direction, lights)});
-  }
+  add("split", texel.byViews(KernelOptions{}.hiddenBoxes(false)));
+  for (const uint32_t boxes : {1u, 2u, 4u}) add(fmt::format("split, {} hidden", boxes), texel.byViews(boxes));
+  for (const uint32_t frequency : frequencies)
+    add(fmt::format("cells, {} directions", 10 * frequency * frequency + 2),
+        texel.byCells(frequency, KernelOptions{}.hiddenBoxes(true)));
 }
 
 }  // namespace
@@ -169,8 +158,8 @@ std::vector<Row> measureBetween(const LabScene& scene, Gloss gloss, const std::v
     KernelPaths paths;
     scene.trace(subjects[subject], gloss, direction, 0x40000u + uint32_t(i), options.paths, paths);
     tryDirect(paths, lights, about, samples[i]);
-    trySplit(scene, subjects[subject], direction, lights, about, samples[i]);
-    tryCells(scene, subjects[subject], direction, options.cells, lights, about, samples[i]);
+    const SplitTexel texel(scene, subjects[subject], direction, lights, options.paths);
+    trySplit(texel, options.cells, about, samples[i]);
   });
   for (const uint32_t boxes : options.boxes) {
     const Baked baked = bake(scene, subjects, boxes, options.paths);

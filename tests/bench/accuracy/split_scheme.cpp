@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/accuracy/split_scheme.h"
 
+#include <map>
+
 #include "bake/kernels/box_fit.h"
 #include "bake/kernels/visibility_trace.h"
 #include "bake/transport/bsdf.h"
 #include "common/light/light_domain.h"
-#include "common/light/lobe_boxes.h"
 
 namespace boxlight::accuracy {
 namespace {
@@ -16,20 +17,27 @@ dvec3 meanLight(const SummedArea& light, const Rectangle& rectangle) {
   return light.integrate(rectangle) / rectangle.solidAngle();
 }
 
-/// A pixel of a sharp lobe sees much less than its texel.
-uint32_t pixelsFor(const asset::TexelRecord& record) { return record.roughness < 0.25f ? 256 : 64; }
+std::vector<Box> fit(const KernelPaths& paths, uint32_t boxes) {
+  return BoxFitter({.boxes = int(boxes)}).fit(paths.deposits, paths.traced);
+}
 
 }  // namespace
 
-SplitTexel::SplitTexel(const LabScene& scene, const Subject& subject, const SplitOptions& options)
+SplitTexel::SplitTexel(const LabScene& scene, const Subject& subject, vec3 direction,
+                       const std::vector<ProbeLight>& lights, uint32_t paths)
     : scene_(scene),
       subject_(subject),
-      options_(options),
+      direction_(direction),
+      lights_(lights),
+      paths_(paths),
       origin_(subject.plan.origin(scene.world(), scene.map())),
-      map_(traceVisibility(scene.world(), origin_, {9, subject.plan.texel, kMapStream})),
-      visibleCells_(FilteredVisibility{{&map_}, {1.0f}}),
-      cells_(std::max(options.cells, 1u)) {
-  if (options_.pixels == 0) options_.pixels = pixelsFor(subject.plan.record);
+      map_(traceVisibility(scene.world(), origin_, {9, subject.plan.texel, kMapStream})) {
+  const FilteredVisibility visibility{{&map_}, {1.0f}};
+  const VisibleCells cells(visibility);
+  pixels_.resize(subject.plan.record.roughness < 0.25f ? 256 : 64);
+  for (uint32_t pixel = 0; pixel < pixels_.size(); ++pixel)
+    for (const ProbeLight& light : lights)
+      pixels_[pixel].push_back(seeLobe(lobe(direction, pixel), visibility, cells, light.area));
 }
 
 /// As if nothing stood around.
@@ -44,58 +52,11 @@ GgxLobe SplitTexel::lobe(vec3 direction, uint32_t pixel) const {
   return {tangent, glm::cross(surface.normal, tangent), surface.normal, wo, bsdf.alpha(), bsdf.f0()};
 }
 
-std::vector<Box> SplitTexel::hidden(uint32_t view) const {
-  KernelPaths paths;
-  scene_.trace(subject_, Gloss::sharp, scene_.sphere().directions()[view], view, options_.paths, paths);
-  paths.removeMirrored();
-  return BoxFitter({.boxes = int(options_.hiddenBoxes)}).fit(paths.deposits, paths.traced);
-}
-
-std::vector<SeenLobe> SplitTexel::seen(vec3 direction, uint32_t pixel,
-                                       const std::vector<ProbeLight>& lights) const {
-  const GgxLobe own = lobe(direction, pixel);
-  const FilteredVisibility visibility{{&map_}, {1.0f}};
-  std::vector<SeenLobe> seen;
-  if (std::min(own.alpha.x, own.alpha.y) > kWideFrom) {
-    for (const ProbeLight& light : lights)
-      seen.push_back(seeLobe(own, visibility, visibleCells_, light.area));
-    return seen;
-  }
-  const ClippedLobe clipped = clipLobe(lobeBoxes(own), visibility);
-  for (const ProbeLight& light : lights) {
-    seen.push_back({dvec3(0.0), clipped.hidden, clipped.towards});
-    for (const auto& [rectangle, energy] : clipped.pieces)
-      seen.back().radiance += energy * meanLight(light.area, rectangle);
-  }
-  return seen;
-}
-
-double SplitTexel::hiddenPart(vec3 direction) const {
-  double hidden = 0;
-  const FilteredVisibility visibility{{&map_}, {1.0f}};
-  for (uint32_t pixel = 0; pixel < options_.pixels; ++pixel)
-    hidden += clipLobe(lobeBoxes(lobe(direction, pixel)), visibility).hidden;
-  return hidden / options_.pixels;
-}
-
-const SplitTexel::Stored& SplitTexel::cell(uint32_t vertex) {
-  const auto [place, isNew] = known_.try_emplace(vertex);
-  if (!isNew) return place->second;
-  const float alpha = subject_.plan.record.roughness * subject_.plan.record.roughness;
-  const DirectionCell cell{cells_.directions()[vertex], 1.0f - 2.0f / float(cells_.viewCount()), alpha};
-  KernelPaths paths;
-  const StreamKey key{7, subject_.plan.texel, kCellStream + vertex};
-  PathTracer(scene_.world(), {}).traceIncident(origin_, cell, key, options_.paths, paths);
-  place->second = {BoxFitter({.boxes = int(options_.hiddenBoxes)}).fit(paths.deposits, paths.traced),
-                   double(paths.hiddenPart())};
-  return place->second;
-}
-
-SplitTexel::Stored SplitTexel::cellsAround(vec3 direction) {
-  const ViewBlend blend = cells_.locate(direction);
+SplitTexel::Stored SplitTexel::around(const ViewSphere& sphere, vec3 direction, const StoredAt& at) {
+  const ViewBlend blend = sphere.locate(direction);
   Stored sum;
   for (int k = 0; k < 3; ++k) {
-    const Stored& one = cell(blend.view[k]);
+    const Stored one = at(blend.view[k]);
     sum.part += double(blend.weight[k]) * one.part;
     for (Box box : one.boxes) {
       box.energy *= blend.weight[k];
@@ -105,34 +66,45 @@ SplitTexel::Stored SplitTexel::cellsAround(vec3 direction) {
   return sum;
 }
 
-SplitTexel::Stored SplitTexel::viewsAround(vec3 direction) {
-  const ViewBlend blend = scene_.sphere().locate(direction);
-  Stored sum;
-  for (int k = 0; k < 3; ++k) {
-    const double part = hiddenPart(scene_.sphere().directions()[blend.view[k]]);
-    if (part < double(KernelOptions::kLeastHiddenPart)) continue;
-    sum.part += double(blend.weight[k]) * part;
-    for (Box box : hidden(blend.view[k])) {
-      box.energy *= blend.weight[k];
-      sum.boxes.push_back(box);
-    }
-  }
-  return sum;
+Radiances SplitTexel::byViews(uint32_t boxes) const {
+  const Stored stored = around(scene_.sphere(), direction_, [&](uint32_t view) -> Stored {
+    KernelPaths paths;
+    scene_.trace(subject_, Gloss::sharp, scene_.sphere().directions()[view], view, paths_, paths);
+    const double part = paths.hiddenPart();
+    if (part < double(KernelOptions::kLeastHiddenPart)) return {};
+    paths.removeMirrored();
+    return {fit(paths, boxes), part};
+  });
+  return relight([&](const SeenLobe&) { return stored; });
 }
 
-Radiances SplitTexel::relight(vec3 direction, const std::vector<ProbeLight>& lights) {
-  Radiances mean(lights.size(), dvec3(0.0));
-  Stored stored;
-  if (!options_.cells) stored = viewsAround(direction);
-  for (uint32_t pixel = 0; pixel < options_.pixels; ++pixel) {
-    const std::vector<SeenLobe> seenLobes = seen(direction, pixel, lights);
-    if (options_.cells) stored = cellsAround(seenLobes.front().hiddenDirection());
-    for (size_t l = 0; l < lights.size(); ++l) {
+Radiances SplitTexel::byCells(uint32_t frequency, uint32_t boxes) const {
+  const ViewSphere cells(frequency);
+  std::map<uint32_t, Stored> known;
+  const StoredAt cell = [&](uint32_t vertex) -> Stored {
+    const auto [place, isNew] = known.try_emplace(vertex);
+    if (!isNew) return place->second;
+    const float alpha = subject_.plan.record.roughness * subject_.plan.record.roughness;
+    const DirectionCell at{cells.directions()[vertex], 1.0f - 2.0f / float(cells.viewCount()), alpha};
+    KernelPaths paths;
+    const StreamKey key{7, subject_.plan.texel, kCellStream + vertex};
+    PathTracer(scene_.world(), {}).traceIncident(origin_, at, key, paths_, paths);
+    return place->second = {fit(paths, boxes), double(paths.hiddenPart())};
+  };
+  return relight([&](const SeenLobe& seen) { return around(cells, seen.hiddenDirection(), cell); });
+}
+
+/// `stored`: for what is hidden of a pixel's lobe, the same under every light.
+Radiances SplitTexel::relight(const std::function<Stored(const SeenLobe&)>& stored) const {
+  Radiances mean(lights_.size(), dvec3(0.0));
+  for (const std::vector<SeenLobe>& pixel : pixels_) {
+    const Stored behind = stored(pixel.front());
+    for (size_t l = 0; l < lights_.size(); ++l) {
       dvec3 fromHidden(0.0);
-      for (const Box& box : stored.boxes)
-        fromHidden += dvec3(box.energy) * meanLight(lights[l].area, rectangleOf(box));
-      mean[l] += splitRadiance(seenLobes[l].radiance, seenLobes[l].hidden, fromHidden, stored.part) /
-                 double(options_.pixels);
+      for (const Box& box : behind.boxes)
+        fromHidden += dvec3(box.energy) * meanLight(lights_[l].area, rectangleOf(box));
+      mean[l] +=
+          splitRadiance(pixel[l].radiance, pixel[l].hidden, fromHidden, behind.part) / double(pixels_.size());
     }
   }
   return mean;

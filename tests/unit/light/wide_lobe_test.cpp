@@ -81,7 +81,7 @@ constexpr float kAlphas[] = {0.15f, 0.3f, 0.6f, 1.0f}, kCosines[] = {0.3f, 0.7f,
 /// Behind one map.
 SeenLobe seen(const GgxLobe& lobe, const VisibilityMap& map, const LightMoments& light, double uOffset = 0) {
   const FilteredVisibility visibility{{&map}, {1.0f}};
-  return seeByCells(lobe, visibility, VisibleCells(visibility, uOffset), light, uOffset);
+  return seeByCells(lobe, VisibleCells(visibility, uOffset), light, uOffset);
 }
 
 void forLobes(const std::function<void(const GgxLobe&)>& test) {
