@@ -56,7 +56,7 @@ void addSplit(uint r, float weight, inout FilteredRadiance sum) {
   }
   uint blocks = mapAt(r);
   for (int i = 0; i < kMapBlockWords; ++i) sum.maps.hiddenBlocks[i] |= mapAt(blocks + i);
-  sum.maps.map[sum.maps.count] = blocks + kMapBlockWords;
+  sum.maps.map[sum.maps.count] = blocks + kMapBlockWords + kMapQuarterWords;
   sum.maps.weight[sum.maps.count] = weight;
   ++sum.maps.count;
 }

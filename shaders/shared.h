@@ -120,6 +120,7 @@ SHARED_CONSTANT kTableSheen = kTableStripCells + kLobeBoxes * kLobeCellFloats;
 // the record's lobe is split; then, where anything has a normal map, three of each: how diffuse R, G and B
 // change with the normal.
 SHARED_CONSTANT kMapBlockWords = 4;  // of a visibility map: shaders/visibility_maps.glsl
+SHARED_CONSTANT kMapQuarterWords = 128;
 SHARED_CONSTANT kShadedRadiances = 2;
 SHARED_CONSTANT kShadedGradients = 3;
 

@@ -4,7 +4,8 @@
 
 #include "lobe.glsl"
 
-// For each record the place of its map or kAbsent, then the maps; before a map's rows the blocks that have hidden cells.
+// For each record the place of its map or kAbsent, then the maps; before a map's rows the blocks that have hidden cells, and the visible
+// parts of quarters of blocks.
 layout(std430, binding = kBindVisibilityMaps) readonly buffer VisibilityMaps { uint visibilityMaps[]; };
 layout(binding = kBindMapTexels) uniform usamplerBuffer mapTexels;
 
@@ -51,6 +52,12 @@ uint mapWord(int y, Rows rows, int x) { return 4 * uint(min(y + rows.step / 2, k
 
 /// Blocks of 8 x 8 cells, 16 a row, two rows a word: quickly told apart from what is visible everywhere.
 const int kBlockCells = 8, kBlockColumns = kMapColumns / kBlockCells;
+
+/// The visible parts of two quarters of blocks, one above the other, in the map whose rows begin at `map`.
+vec2 quarterColumn(uint map, int column, int blockRow) {
+  uint word = mapAt(map - kMapQuarterWords + 4 * uint(column & (2 * kBlockColumns - 1)) + uint(blockRow) / 2) >> 16 * (blockRow & 1);
+  return vec2(word & 0xFFu, word >> 8 & 0xFFu) / 255.0;
+}
 
 /// A bit for every block that a rectangle's cells may lie in, those of skipped rows included.
 uvec4 blocksOf(Columns columns, Rows rows) {

@@ -26,28 +26,40 @@ LightCell loadLightCell(TreeCell at) {
   return LightCell(Moment(x.xyz, y.xyz, z.xyz), vec3(x.w, y.w, z.w));
 }
 
-/// The lobe's density over the cosine; `axes` of the frame as the light map has it.
-vec3 lobeDensity(GgxLobe lobe, mat3 axes, vec3 direction) {
+/// Of the half vector between the view and a direction of the lobe's frame, and of the rest of the lobe's density there over the cosine.
+struct LobePoint {
+  vec3 halfVector;
+  float facing;  // cosine between the two
+};
+
+LobePoint lobePoint(GgxLobe lobe, vec3 light) {
   const float kLeastCosine = 1e-4;
-  vec3 light = normalize(direction) * axes;
   light.z = max(light.z, kLeastCosine);
   vec3 halfVector = normalize(lobe.view + light);
-  vec3 slope = vec3(halfVector.xy / lobe.alpha, halfVector.z);
-  float square = dot(slope, slope), distribution = 1.0 / (kPi * lobe.alpha.x * lobe.alpha.y * square * square);
-  float visibility = 0.5 / (light.z * stretchedLength(lobe.view, lobe.alpha) + lobe.view.z * stretchedLength(light, lobe.alpha));
-  float grazing = clamp(1.0 - dot(lobe.view, halfVector), 0.0, 1.0), squared = grazing * grazing;
-  vec3 fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * (squared * squared * grazing);
-  if (kFilm && lobe.filmed) fresnel = clamp(fresnel, kLeastFilmed, 1.0);
-  return distribution * visibility * fresnel;
+  return LobePoint(halfVector, max(dot(lobe.view, halfVector), 0.0));
 }
 
-/// Does the lobe vary little enough in a cell of this height around a direction of its frame?
-bool resolves(GgxLobe lobe, vec3 light, float height) {
-  const float kLeastCosine = 1e-4, kLeastFacing = 0.02;
-  light.z = max(light.z, kLeastCosine);
-  vec3 halfVector = normalize(lobe.view + light);
-  float facing = max(dot(lobe.view, halfVector), kLeastFacing), reach = kCellRadius * height / (2.0 * facing);
-  vec2 slope = max(abs(halfVector.xy) / halfVector.z - reach, vec2(0.0)) / lobe.alpha;
+float distribution(GgxLobe lobe, vec3 halfVector) {
+  vec3 slope = vec3(halfVector.xy / lobe.alpha, halfVector.z);
+  float square = dot(slope, slope);
+  return 1.0 / (kPi * lobe.alpha.x * lobe.alpha.y * square * square);
+}
+
+/// F G2 / (4 n.l n.v).
+vec3 shadowedFresnel(GgxLobe lobe, vec3 light, LobePoint point) {
+  float z = max(light.z, 0.0);
+  float visibility = 0.5 / (z * stretchedLength(lobe.view, lobe.alpha) + lobe.view.z * stretchedLength(vec3(light.xy, z), lobe.alpha));
+  float grazing = clamp(1.0 - point.facing, 0.0, 1.0), squared = grazing * grazing;
+  vec3 fresnel = lobe.f0 + (lobe.f90 - lobe.f0) * (squared * squared * grazing);
+  if (kFilm && lobe.filmed) fresnel = clamp(fresnel, kLeastFilmed, 1.0);
+  return visibility * fresnel;
+}
+
+/// Does the lobe vary little enough in a cell of this height around a point?
+bool resolves(GgxLobe lobe, LobePoint point, float height) {
+  const float kLeastFacing = 0.02;
+  float facing = max(point.facing, kLeastFacing), reach = kCellRadius * height / (2.0 * facing);
+  vec2 slope = max(abs(point.halfVector.xy) / point.halfVector.z - reach, vec2(0.0)) / lobe.alpha;
   return height <= kCellsToLobe * 2.0 * facing * min(lobe.alpha.x, lobe.alpha.y) * sqrt(1.0 + dot(slope, slope));
 }
 
@@ -55,40 +67,30 @@ struct CellSums {
   vec3 radiance, direct, all, towards;
 };
 
-void addCellLight(Moment light, float visible, GgxLobe lobe, mat3 axes, inout CellSums sums) {
+/// `shadowed`: shadowedFresnel about there.
+void addLight(Moment light, float visible, vec3 shadowed, GgxLobe lobe, mat3 axes, inout CellSums sums) {
   vec3 arriving = max(along(light, axes[2]), vec3(0.0));
   vec3 centre = vec3(strength(light.x), strength(light.y), strength(light.z));
-  if (visible > 0.0 && strength(arriving) > 0.0 && dot(centre, centre) > 0.0)
-    sums.radiance += visible * arriving * lobeDensity(lobe, axes, centre);
+  bool any = strength(arriving) > 0.0 && dot(centre, centre) > 0.0;
+  LobePoint point = lobePoint(lobe, any ? normalize(centre) * axes : vec3(0.0, 0.0, 1.0));
+  sums.radiance += any ? visible * distribution(lobe, point.halfVector) * arriving * shadowed : vec3(0.0);
 }
 
-void addCell(LightCell cell, float visible, GgxLobe lobe, mat3 axes, inout CellSums sums) {
-  float cosine = dot(axes[2], cell.one);
-  if (cosine > 0.0) {
-    vec3 energy = cosine * lobeDensity(lobe, axes, cell.one);
-    sums.all += energy;
-    sums.direct += visible * energy;
-    if (kCells) sums.towards += (1.0 - visible) * strength(energy) * normalize(cell.one);
-  }
-  addCellLight(cell.light, visible, lobe, axes, sums);
-}
-
-/// Lattice texels as cells of the maps: fewer than a cell in each row and column, or whole ones, four rows at most.
+/// Lattice texels as cells of the maps: two rows at most, less than a cell or whole ones in each.
 struct MapPart {
-  int column, row;
-  vec4 rows;           // weight of each
+  int column, row, count;
+  vec2 rows;           // weight of each
   float start, width;  // from the edge of the first column
 };
 
-MapPart mapPart(TreeTexels texels) {
-  const float kHalf = float(kMapColumns) / float(kMomentColumns);
+/// `cotangent`: of the angle from +Y to its middle. Rows count by their sines.
+MapPart mapPart(TreeTexels texels, float cotangent) {
+  const float kHalf = float(kMapColumns) / float(kMomentColumns), kTangent = 0.02454862;  // of half a row's height
   float at = kHalf * float(texels.at.x) - BOXLIGHT_LIGHT_OFFSET * float(kMapColumns), first = floor(at);
-  int row = int(texels.at.y) / 2, count = max(int(texels.size.y) / 2, 1);
-  vec4 middle = (vec4(0.5, 1.5, 2.5, 3.5) + float(row)) / float(kMapRows);
-  vec4 rows = vec4(lessThan(ivec4(0, 1, 2, 3), ivec4(count)));
-  for (int i = 0; i < 4; ++i) rows[i] *= sinPi(min(middle[i], 1.0 - middle[i]));
-  rows /= rows.x + rows.y + rows.z + rows.w;
-  return MapPart(int(first) & (kMapColumns - 1), row, rows, at - first, kHalf * float(texels.size.x));
+  int count = max(int(texels.size.y) / 2, 1);
+  float upper = count == 1 ? 1.0 : 0.5 - 0.5 * kTangent * cotangent;
+  return MapPart(int(first) & (kMapColumns - 1), int(texels.at.y) / 2, count, vec2(upper, 1.0 - upper), at - first,
+                 kHalf * float(texels.size.x));
 }
 
 /// Of one row, from the first column on.
@@ -102,12 +104,12 @@ float visibleWidth(uint row, MapPart part) {
 }
 
 float visiblePart(uint map, MapPart part) {
-  vec4 widths = vec4(0.0);
-  for (int i = 0; i < 4; ++i)
-    if (part.rows[i] > 0.0) widths[i] = visibleWidth(map + 4 * uint(part.row + i), part);
-  return dot(part.rows, widths) / part.width;
+  float visible = 0.0;
+  for (int i = 0; i < part.count; ++i) visible += part.rows[i] * visibleWidth(map + 4 * uint(part.row + i), part);
+  return visible / part.width;
 }
 
+/// Lavapipe 22.3 runs through a branch whatever the lanes want, but leaves a loop: what few lanes want is in loops below.
 bool isOpen(TreeTexels texels, FilteredMaps maps) {
   const float kHalf = float(kMapColumns) / float(kMomentColumns);
   float start = kHalf * float(texels.at.x) - BOXLIGHT_LIGHT_OFFSET * float(kMapColumns), first = floor(start);
@@ -117,29 +119,67 @@ bool isOpen(TreeTexels texels, FilteredMaps maps) {
   return (blocksOf(columns, Rows(row, row + max(int(size.y), 1), 0, 0.0, 0.0)) & maps.hiddenBlocks) == uvec4(0);
 }
 
-float visiblePart(TreeTexels texels, FilteredMaps maps) {
-  const float kOpen = 1.0 - 1e-5;
-  MapPart part = mapPart(texels);
-  float visible = 0.0;
-  for (uint k = 0; k < maps.count; ++k) visible += maps.weight[k] * visiblePart(maps.map[k], part);
+const float kOpen = 1.0 - 1e-5;
+
+/// Of a root's quarters, `wide` quarters of the map's blocks each. A map's quarter counts as even where their edges cut it.
+vec4 visibleQuarters(uint map, float start, int wide, int blockRow) {
+  float first = floor(start), shift = start - first, width = float(wide);
+  vec4 visible = vec4(0.0);
+  for (int i = 0; i <= 2 * wide; ++i) {
+    float left = float(i) - shift;
+    vec2 inside = clamp(min(vec2(left + 1.0), vec2(width, 2.0 * width)) - max(vec2(left), vec2(0.0, width)), 0.0, 1.0);
+    visible += quarterColumn(map, int(first) + i, blockRow).xxyy * inside.xyxy;
+  }
+  return visible / width;
+}
+
+/// Of all maps; a root that is open is not looked at.
+vec4 visibleQuarters(TreeTexels root, FilteredMaps maps, bool open) {
+  const float kQuarters = 32.0;  // around
+  float start = kQuarters * (float(root.at.x) / float(kMomentColumns) - BOXLIGHT_LIGHT_OFFSET);
+  vec4 visible = vec4(open ? 1.0 : 0.0);
+  for (uint k = open ? maps.count : 0; k < maps.count; ++k)
+    visible += maps.weight[k] * visibleQuarters(maps.map[k], start, int(root.size.x) / 16, int(root.at.y) / 16);
+  return mix(visible, vec4(1.0), greaterThanEqual(visible, vec4(kOpen)));
+}
+
+/// Of a cell, or what `known` says of the quarter of its root if that is open, hidden or the cell itself.
+float visiblePart(TreeTexels texels, vec3 middle, FilteredMaps maps, float known, bool all) {
+  bool found = known <= 0.0 || known >= 1.0 || all;
+  float visible = found ? known : 0.0;
+  MapPart part = mapPart(texels, middle.y * inversesqrt(dot(middle.xz, middle.xz)));
+  for (uint k = found ? maps.count : 0; k < maps.count; ++k) visible += maps.weight[k] * visiblePart(maps.map[k], part);
   return visible >= kOpen ? 1.0 : max(visible, 0.0);
+}
+
+/// A cell that the lobe resolves.
+void addCell(LightCell cell, vec3 middle, vec3 light, LobePoint point, float visible, GgxLobe lobe, mat3 axes, inout CellSums sums) {
+  vec3 shadowed = shadowedFresnel(lobe, light, point);
+  vec3 energy = max(dot(axes[2], cell.one), 0.0) * distribution(lobe, point.halfVector) * shadowed;
+  sums.all += energy;
+  sums.direct += visible * energy;
+  if (kCells) sums.towards += (1.0 - visible) * strength(energy) * middle;
+  addLight(cell.light, visible, shadowed, lobe, axes, sums);
 }
 
 void addTree(uint root, GgxLobe lobe, mat3 axes, FilteredMaps maps, inout CellSums sums) {
   const float kRowHeight = kPi / float(kMomentRows);
   TreeCell at = treeRoot(root);
   bool open = isOpen(treeTexels(at), maps);
+  vec4 quarters = visibleQuarters(treeTexels(at), maps, open);
   while (!isEnd(at)) {
     LightCell cell = loadLightCell(at);
     float height = kRowHeight * float(1u << at.level);
-    vec3 light = normalize(cell.one) * axes;
+    vec3 middle = normalize(cell.one), light = middle * axes;
+    LobePoint point = lobePoint(lobe, light);
     bool below = light.z < -kCellRadius * height;
-    bool small = at.level == 0 || ((open || at.level <= kMostHiddenLevel) && resolves(lobe, light, height));
-    if (!below && small) addCell(cell, open ? 1.0 : visiblePart(treeTexels(at), maps), lobe, axes, sums);
-    if (below || small)
-      at = passed(at);
-    else
-      --at.level;
+    bool small = below || at.level == 0 || ((open || at.level <= kMostHiddenLevel) && resolves(lobe, point, height));
+    if (small && !below) {
+      float visible = visiblePart(treeTexels(at), middle, maps, dot(quarters, vec4(equal(uvec4(at.leaf * 4 / kTreeLeaves), uvec4(0, 1, 2, 3)))), at.level == kMostHiddenLevel);
+      addCell(cell, middle, light, point, visible, lobe, axes, sums);
+    }
+    TreeCell next = passed(at);
+    at = small ? next : TreeCell(at.root, at.level - 1, at.leaf);
   }
 }
 
@@ -148,8 +188,12 @@ void addBrightLight(GgxLobe lobe, mat3 axes, FilteredMaps maps, inout CellSums s
   for (uint i = kMomentBright + 1; i < end; i += 3) {
     uvec4 x = BOXLIGHT_MOMENT(i), y = BOXLIGHT_MOMENT(i + 1), z = BOXLIGHT_MOMENT(i + 2);
     TreeTexels texel = TreeTexels(uvec2(y.w, z.w), uvec2(1));
-    float visible = isOpen(texel, maps) ? 1.0 : visiblePart(texel, maps);
-    addCellLight(toMoment(MomentSum(x.xyz, y.xyz, z.xyz)), visible, lobe, axes, sums);
+    Moment moment = toMoment(MomentSum(x.xyz, y.xyz, z.xyz));
+    vec3 light = normalize(vec3(strength(moment.x), strength(moment.y), strength(moment.z))) * axes;
+    if (light.z > 0.0) {
+      float visible = visiblePart(texel, vec3(1.0, 0.0, 0.0), maps, isOpen(texel, maps) ? 1.0 : 0.5, false);
+      addLight(moment, visible, shadowedFresnel(lobe, light, lobePoint(lobe, light)), lobe, axes, sums);
+    }
   }
 }
 

@@ -16,7 +16,7 @@ constexpr uint32_t kMostHiddenLevel = 3;  ///< of cells that may be hidden in pa
 
 double strength(dvec3 c) { return glm::dot(c, dvec3(0.2126, 0.7152, 0.0722)); }
 
-/// The lobe's density over the cosine: D F G2 / (4 n.l n.v), of a direction of the light's map.
+/// The lobe's density over the cosine, D F G2 / (4 n.l n.v), in directions of the light's map.
 class Density {
  public:
   Density(const GgxLobe& lobe, double uOffset) : lobe_(lobe) {
@@ -32,21 +32,24 @@ class Density {
     return glm::dmat3(lobe_.tangent, lobe_.bitangent, lobe_.normal) * (d * frame_);
   }
 
-  dvec3 at(dvec3 direction) const {
-    vec3 light(glm::normalize(direction) * frame_);
-    light.z = std::max(light.z, kLeastCosine);
-    const vec3 half = glm::normalize(view_ + light);
+  /// Of the half vector to a direction: D.
+  double distribution(dvec3 direction) const {
+    return double(ggx::distribution(halfVector(local(direction)), lobe_.alpha));
+  }
+
+  /// F G2 / (4 n.l n.v).
+  dvec3 shadowedFresnel(dvec3 direction) const {
+    vec3 light = local(direction);
+    const vec3 half = halfVector(light);
+    light.z = std::max(light.z, 0.0f);
     Rgb fresnel = lobe_.f0 + (lobe_.f90 - lobe_.f0) * ggx::schlickWeight(glm::dot(view_, half));
     if (lobe_.filmed) fresnel = glm::clamp(fresnel, kLeastFilmed, 1.0f);
-    return dvec3(fresnel) * double(ggx::distribution(half, lobe_.alpha)) *
-           double(ggx::visibility(light, view_, lobe_.alpha));
+    return dvec3(fresnel) * double(ggx::visibility(light, view_, lobe_.alpha));
   }
 
   /// Does the lobe vary little enough in a cell of this height around a direction?
   bool resolves(dvec3 direction, double height) const {
-    vec3 light(direction * frame_);
-    light.z = std::max(light.z, kLeastCosine);
-    const vec3 half = glm::normalize(view_ + light);
+    const vec3 half = halfVector(local(direction));
     const auto facing = std::max(double(glm::dot(view_, half)), kLeastFacing);
     const double reach = kCellRadius * height / (2 * facing);
     const dvec2 nearest = glm::max(glm::abs(dvec2(half) / double(half.z)) - reach, dvec2(0.0));
@@ -57,6 +60,10 @@ class Density {
 
  private:
   static constexpr double kLeastFacing = 0.02;
+  vec3 local(dvec3 direction) const { return vec3(glm::normalize(direction) * frame_); }
+  vec3 halfVector(vec3 light) const {
+    return glm::normalize(view_ + vec3(light.x, light.y, std::max(light.z, kLeastCosine)));
+  }
 
   const GgxLobe& lobe_;
   dmat3 frame_;  // columns: tangent, bitangent and normal, in the light map's directions
@@ -69,21 +76,27 @@ struct CellSums {
   dvec3 radiance{0.0}, direct{0.0}, all{0.0}, towards{0.0};
 
   void add(const LightCell& cell, double visible) {
-    const dvec3 normal = density.normal();
-    const double cosine = glm::dot(normal, cell.one);
-    if (cosine > 0.0) {
-      const dvec3 energy = cosine * density.at(cell.one);
-      all += energy, direct += visible * energy;
-      towards += (1 - visible) * strength(energy) * glm::normalize(cell.one);
-    }
-    addLight(cell.light, visible);
+    const dvec3 shadowed = density.shadowedFresnel(cell.one);
+    const double cosine = std::max(glm::dot(density.normal(), cell.one), 0.0);
+    const dvec3 energy = cosine * density.distribution(cell.one) * shadowed;
+    all += energy, direct += visible * energy;
+    towards += (1 - visible) * strength(energy) * glm::normalize(cell.one);
+    addLight(cell.light, visible, shadowed);
   }
 
-  void addLight(const dmat3& light, double visible) {
-    const dvec3 arriving = glm::max(density.normal() * light, dvec3(0.0));
-    const dvec3 along = light * dvec3(0.2126, 0.7152, 0.0722);
-    if (visible > 0.0 && strength(arriving) > 0.0 && glm::length(along) > 0.0)
-      radiance += visible * arriving * density.at(along);
+  void addBright(const dmat3& light, double visible) {
+    const dvec3 direction = strongest(light);
+    if (glm::dot(density.normal(), direction) > 0.0)
+      addLight(light, visible, density.shadowedFresnel(direction));
+  }
+
+ private:
+  static dvec3 strongest(const dmat3& light) { return light * dvec3(0.2126, 0.7152, 0.0722); }
+
+  void addLight(const dmat3& light, double visible, dvec3 shadowed) {
+    const dvec3 arriving = glm::max(density.normal() * light, dvec3(0.0)), towardsIt = strongest(light);
+    if (strength(arriving) > 0.0 && glm::length(towardsIt) > 0.0)
+      radiance += visible * density.distribution(towardsIt) * arriving * shadowed;
   }
 };
 
@@ -128,7 +141,7 @@ SeenLobe seeByCells(const GgxLobe& lobe, const VisibleCells& cells, const LightM
   CellSums sums{density};
   for (uint32_t root = 0; root < kTreeRoots; ++root) addTree(root, cells, light, sums);
   for (const LightMoments::BrightTexel& bright : light.brightTexels())
-    sums.addLight(bright.light, cells.part(bright.at));
+    sums.addBright(bright.light, cells.part(bright.at));
   const dvec3 all = glm::max(sums.all, dvec3(1e-30));
   return {sums.radiance / all, std::max(1.0 - strength(sums.direct / all), 0.0),
           density.toWorld(sums.towards) / strength(all)};

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "runtime/kernels/visibility_maps.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "shaders/shared.h"
 
 namespace boxlight::gpu {
 namespace {
 
-/// As the shaders find it: which blocks have hidden cells, then the rows.
+/// As the shaders find it: which blocks have hidden cells, the visible parts of quarters of blocks, the rows.
 struct BlockedMap {
   std::array<uint32_t, kMapBlockWords> hiddenBlocks;
+  std::array<uint32_t, kMapQuarterWords> quarters;
   VisibilityMap map;
 };
 constexpr uint32_t kMapWords = sizeof(BlockedMap) / sizeof(uint32_t);
@@ -33,6 +36,27 @@ std::array<uint32_t, kMapBlockWords> hiddenBlocks(const VisibilityMap& map) {
       if (!map.isVisible(x, y)) blocks[row / 2] |= 1u << (row % 2 * 16 + column);
     }
   return blocks;
+}
+
+/// shaders/visibility_maps.glsl: quarterColumn. Only what is all visible is 255, only what is all hidden 0.
+std::array<uint32_t, kMapQuarterWords> visibleQuarters(const VisibilityMap& map) {
+  constexpr uint32_t kSide = 4;
+  std::array<uint32_t, kMapQuarterWords> words{};
+  for (uint32_t y = 0; y < VisibilityMap::kRows / kSide; ++y)
+    for (uint32_t x = 0; x < VisibilityMap::kColumns / kSide; ++x) {
+      double visible = 0, all = 0;
+      uint32_t cells = 0;
+      for (uint32_t i = 0; i < kSide * kSide; ++i) {
+        const uint32_t row = kSide * y + i / kSide;
+        const double weight = std::sin(kPiDouble * (row + 0.5) / VisibilityMap::kRows);
+        const bool seen = map.isVisible(kSide * x + i % kSide, row);
+        all += weight, visible += seen ? weight : 0, cells += seen;
+      }
+      const bool partial = cells > 0 && cells < kSide * kSide;
+      const auto code = uint32_t(std::lround(255 * visible / all));
+      words[4 * x + y / 4] |= (partial ? std::clamp(code, 1u, 254u) : code) << 8 * (y % 4);
+    }
+  return words;
 }
 
 /// Bytes that the device reads maps from at once.
@@ -77,7 +101,7 @@ void VisibilityMaps::require(std::span<const VisibleRecord> visible) {
   for (const uint32_t r : records) {
     words_[r] = uint32_t(words_.size() + (count_ + maps.size()) * kMapWords);
     const VisibilityMap& map = asset_.visibilityMaps[source_[r]];
-    maps.push_back({hiddenBlocks(map), map});
+    maps.push_back({hiddenBlocks(map), visibleQuarters(map), map});
   }
   const uint64_t start = bytesWith(count_), end = bytesWith(count_ + maps.size());
   if (end > buffer_.size()) {  // exact at first, then with room for what the camera will see

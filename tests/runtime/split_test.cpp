@@ -369,7 +369,8 @@ TEST_F(SplitTest, ThePictureOfAnAssetWithoutSplitLobesNeedsNoMaps) {
   gpu::FrameRenderer split(*device_, write(0.5f, Rgb(0)), skyEnvironment(), settings_);
   EXPECT_EQ(
       split.counts().sceneBytes - plain.counts().sceneBytes,
-      kEdge * kEdge * (sizeof(uint32_t) + gpu::kMapBlockWords * sizeof(uint32_t) + sizeof(VisibilityMap)));
+      kEdge * kEdge *
+          (sizeof(uint32_t) * (1 + gpu::kMapBlockWords + gpu::kMapQuarterWords) + sizeof(VisibilityMap)));
 }
 
 }  // namespace
