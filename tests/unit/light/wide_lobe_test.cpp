@@ -76,7 +76,7 @@ SeenLobe truth(const GgxLobe& lobe, const std::function<bool(vec3)>& visible, co
 }
 
 const vec3 kNormals[] = {{0, 1, 0}, {-1, 0, 1e-4f}, {0.3f, 0.9f, -0.4f}, {1, -0.2f, 0.7f}};
-constexpr float kAlphas[] = {0.15f, 0.3f, 0.6f, 1.0f}, kCosines[] = {0.3f, 0.7f, 1.0f};
+constexpr float kAlphas[] = {0.02f, 0.05f, 0.15f, 0.4f, 1.0f}, kCosines[] = {0.3f, 0.7f, 1.0f};
 
 /// Behind one map.
 SeenLobe seen(const GgxLobe& lobe, const VisibilityMap& map, const LightMoments& light, double uOffset = 0) {
@@ -168,14 +168,58 @@ TEST(WideLobe, TurnsWithTheLight) {
   });
 }
 
+TEST(WideLobe, AStreakIsFollowedWhereItRuns) {
+  // A lamp that the streak of brushed metal passes at a distance of a few times its width.
+  for (const float turn : {0.0f, 0.8f, 1.6f, 2.4f})
+    for (const float beside : {0.0f, 2.0f, 6.0f}) {
+      GgxLobe lobe = lobeAt({0.2f, 0.1f, 1}, 0.7f, 0.1f);
+      lobe.alpha = {0.6f, 0.04f};
+      const vec3 along = std::cos(turn) * lobe.tangent + std::sin(turn) * lobe.bitangent;
+      lobe.bitangent = glm::cross(lobe.normal, along);
+      lobe.tangent = along;
+      const vec3 half = glm::normalize(lobe.normal + 0.15f * along + beside * 0.04f * lobe.bitangent);
+      const vec3 lamp = 2 * dot(lobe.view, half) * half - lobe.view;
+      const Radiance light = [&](vec3 d) { return Rgb(dot(d, lamp) > 0.995f ? 30.0f : 0.1f); };
+      const dvec3 expected = truth(
+                                 lobe, [](vec3) { return true; }, light)
+                                 .radiance;
+      const dvec3 found = seen(lobe, kOpen, LightMoments(mapOf(light))).radiance;
+      EXPECT_LT(glm::length(found - expected), 0.08 * glm::length(expected)) << turn << ' ' << beside;
+    }
+}
+
 TEST(WideLobe, TakesOverFromBoxesByDegrees) {
+  constexpr float kCosine = 0.5f, kStep = 2e-5f;
   const SummedArea light(mapOf([](vec3 d) { return Rgb(1 + 0.9f * d.x); }));
   const FilteredVisibility open{{&kOpen}, {1.0f}};
-  const auto at = [&](float alpha) {
-    return seeLobe(lobeAt({0.3f, 0.9f, -0.4f}, 0.5f, alpha), open, light).radiance.x;
-  };
-  for (float alpha = kWideFrom; alpha < 0.16f; alpha += 0.0005f)
-    EXPECT_NEAR(at(alpha), at(alpha + 0.0005f), 4e-3) << alpha;
-  const GgxLobe narrow = lobeAt({0.3f, 0.9f, -0.4f}, 0.5f, kWideFrom);
+  const auto lobe = [&](float width) { return lobeAt({0.3f, 0.9f, -0.4f}, kCosine, width / kCosine); };
+  const auto at = [&](float width) { return seeLobe(lobe(width), open, light).radiance.x; };
+  for (float width = 0.9f * kWideFrom; width < 1.2f * kWideTo; width += kStep)
+    EXPECT_NEAR(at(width), at(width + kStep), 2e-3) << width;
+  const GgxLobe narrow = lobe(0.999f * kWideFrom), wide = lobe(1.001f * kWideTo);
   EXPECT_EQ(seeLobe(narrow, open, light).radiance, seeByBoxes(narrow, open, light).radiance);
+  EXPECT_EQ(seeLobe(wide, open, light).radiance,
+            seeByCells(wide, VisibleCells(open), light.moments()).radiance);
+}
+
+TEST(WideLobe, LittleChangesWhereCellsGiveWayToSmallerOnes) {
+  // Under a sun and a lamp, as the view turns in steps of a tenth of a degree.
+  const LightMoments light(mapOf([](vec3 d) {
+    return Rgb(0.5f + (dot(d, glm::normalize(vec3(0.5f, 0.6f, -0.3f))) > 0.9995f ? 2000.0f : 0.0f) +
+               (dot(d, glm::normalize(vec3(-0.5f, 0.3f, 0.4f))) > 0.95f ? 10.0f : 0.0f));
+  }));
+  const VisibleCells open(FilteredVisibility{{&kOpen}, {1.0f}});
+  for (const float alpha : {0.03f, 0.1f, 0.3f}) {
+    const double width = 2 * double(alpha);
+    double before = -1;
+    for (float turn = -1.2f; turn < 1.2f; turn += 0.00175f) {
+      GgxLobe lobe = lobeAt({0.1f, 1, 0.2f}, std::cos(turn), alpha);
+      if (turn < 0) lobe.view -= 2 * dot(lobe.view, lobe.tangent) * lobe.tangent;
+      const double value = seeByCells(lobe, open, light).radiance.y;
+      // By no more than a lobe of that width can turn away from a small light, and two per cent.
+      const double last = before > 0 ? before : value;
+      EXPECT_NEAR(value / last, 1, 0.02 + 4 * 0.0035 / width) << alpha << " at " << turn;
+      before = value;
+    }
+  }
 }
