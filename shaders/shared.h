@@ -116,11 +116,14 @@ SHARED_CONSTANT kTableRoundCells = kTableSrgb + 256;
 SHARED_CONSTANT kTableStripCells = kTableRoundCells + kLobeBoxes * kLobeCellFloats;
 SHARED_CONSTANT kTableSheen = kTableStripCells + kLobeBoxes * kLobeCellFloats;
 
+// Before the rows of a visibility map (shaders/visibility_maps.glsl): a bit for each block of 8 x 8 cells
+// that has hidden ones, and a byte for the visible part of each quarter of a block.
+SHARED_CONSTANT kMapBlockWords = 4;
+SHARED_CONSTANT kMapQuarterWords = 128;
+
 // Shaded records: two vec4 of each, diffuse and glossy, whose a is the hidden part that it stands for where
 // the record's lobe is split; then, where anything has a normal map, three of each: how diffuse R, G and B
 // change with the normal.
-SHARED_CONSTANT kMapBlockWords = 4;  // of a visibility map: shaders/visibility_maps.glsl
-SHARED_CONSTANT kMapQuarterWords = 128;
 SHARED_CONSTANT kShadedRadiances = 2;
 SHARED_CONSTANT kShadedGradients = 3;
 
@@ -153,7 +156,7 @@ SHARED_CONSTANT kHorizonCellColumns = 32;
 SHARED_CONSTANT kHorizonCellRows = 16;
 SHARED_CONSTANT kHorizonCellCount = kHorizonCellColumns * kHorizonCellRows;
 SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place of the first
-// Then the number of bright texels (bright_texels.h), which nodes and cells leave out, and
+// Then the number of bright texels (bright_texels.h), which nodes and trees leave out, and
 // uvec4[bright][axis]: their sums, and as w the cell that they lie in, column and row on the lattice.
 SHARED_CONSTANT kBrightTexels = 32;
 SHARED_CONSTANT kMomentBright = kMomentNodes + 3 * kHorizonNodeCount;

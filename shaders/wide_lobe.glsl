@@ -14,7 +14,7 @@ layout(constant_id = kConstantWide) const bool kWide = true;
 const float kWideFrom = 0.005, kWideTo = 0.01, kCellsToLobe = 1.25, kCellRadius = 0.75;
 const uint kMostHiddenLevel = 3;
 
-/// light_moments.h: LightCell; the light in units of the moments.
+/// light_tree.h: LightCell; the light in units of the moments.
 struct LightCell {
   Moment light;
   vec3 one;
@@ -26,7 +26,7 @@ LightCell loadLightCell(TreeCell at) {
   return LightCell(Moment(x.xyz, y.xyz, z.xyz), vec3(x.w, y.w, z.w));
 }
 
-/// Of the half vector between the view and a direction of the lobe's frame, and of the rest of the lobe's density there over the cosine.
+/// What the lobe's density depends on in a direction of its frame.
 struct LobePoint {
   vec3 halfVector;
   float facing;  // cosine between the two
@@ -78,19 +78,19 @@ void addLight(Moment light, float visible, vec3 shadowed, GgxLobe lobe, mat3 axe
 
 /// Lattice texels as cells of the maps: two rows at most, less than a cell or whole ones in each.
 struct MapPart {
-  int column, row, count;
+  int column, row;
   vec2 rows;           // weight of each
   float start, width;  // from the edge of the first column
 };
 
+const float kHalf = float(kMapColumns) / float(kMomentColumns);
+
 /// `cotangent`: of the angle from +Y to its middle. Rows count by their sines.
 MapPart mapPart(TreeTexels texels, float cotangent) {
-  const float kHalf = float(kMapColumns) / float(kMomentColumns), kTangent = 0.02454862;  // of half a row's height
+  const float kTangent = 0.02454862;  // of half a row's height
   float at = kHalf * float(texels.at.x) - BOXLIGHT_LIGHT_OFFSET * float(kMapColumns), first = floor(at);
-  int count = max(int(texels.size.y) / 2, 1);
-  float upper = count == 1 ? 1.0 : 0.5 - 0.5 * kTangent * cotangent;
-  return MapPart(int(first) & (kMapColumns - 1), int(texels.at.y) / 2, count, vec2(upper, 1.0 - upper), at - first,
-                 kHalf * float(texels.size.x));
+  float upper = texels.size.y > 2 ? 0.5 - 0.5 * kTangent * cotangent : 1.0;
+  return MapPart(int(first) & (kMapColumns - 1), int(texels.at.y) / 2, vec2(upper, 1.0 - upper), at - first, kHalf * float(texels.size.x));
 }
 
 /// Of one row, from the first column on.
@@ -104,51 +104,54 @@ float visibleWidth(uint row, MapPart part) {
 }
 
 float visiblePart(uint map, MapPart part) {
-  float visible = 0.0;
-  for (int i = 0; i < part.count; ++i) visible += part.rows[i] * visibleWidth(map + 4 * uint(part.row + i), part);
-  return visible / part.width;
+  uint upper = map + 4 * uint(part.row), lower = map + 4 * uint(min(part.row + 1, kMapRows - 1));
+  return dot(part.rows, vec2(visibleWidth(upper, part), visibleWidth(lower, part))) / part.width;
 }
 
-/// Lavapipe 22.3 runs through a branch whatever the lanes want, but leaves a loop: what few lanes want is in loops below.
 bool isOpen(TreeTexels texels, FilteredMaps maps) {
-  const float kHalf = float(kMapColumns) / float(kMomentColumns);
   float start = kHalf * float(texels.at.x) - BOXLIGHT_LIGHT_OFFSET * float(kMapColumns), first = floor(start);
   vec2 size = kHalf * vec2(texels.size);
-  Columns columns = Columns(int(first), int(ceil(start + size.x - first)), 0.0, 0.0);
+  Columns columns = Columns(int(first) & (kMapColumns - 1), int(ceil(start + size.x - first)), 0.0, 0.0);
   int row = int(texels.at.y) / 2;
   return (blocksOf(columns, Rows(row, row + max(int(size.y), 1), 0, 0.0, 0.0)) & maps.hiddenBlocks) == uvec4(0);
 }
 
 const float kOpen = 1.0 - 1e-5;
 
-/// Of a root's quarters, `wide` quarters of the map's blocks each. A map's quarter counts as even where their edges cut it.
-vec4 visibleQuarters(uint map, float start, int wide, int blockRow) {
-  float first = floor(start), shift = start - first, width = float(wide);
-  vec4 visible = vec4(0.0);
-  for (int i = 0; i <= 2 * wide; ++i) {
-    float left = float(i) - shift;
-    vec2 inside = clamp(min(vec2(left + 1.0), vec2(width, 2.0 * width)) - max(vec2(left), vec2(0.0, width)), 0.0, 1.0);
-    visible += quarterColumn(map, int(first) + i, blockRow).xxyy * inside.xyxy;
-  }
-  return visible / width;
-}
+// Lavapipe 22.3 runs through a branch whatever the lanes want, but leaves a loop: what few lanes want is in loops of one round. All four
+// maps are read in it, those that are not there with a weight of 0: loops of fixed length are none when compiled, and rounds are few.
 
-/// Of all maps; a root that is open is not looked at.
+/// Of a root's quarters, `wide` quarters of the maps' blocks each. A map's quarter counts as even where their edges cut it; a root that is
+/// open is not looked at.
 vec4 visibleQuarters(TreeTexels root, FilteredMaps maps, bool open) {
   const float kQuarters = 32.0;  // around
-  float start = kQuarters * (float(root.at.x) / float(kMomentColumns) - BOXLIGHT_LIGHT_OFFSET);
-  vec4 visible = vec4(open ? 1.0 : 0.0);
-  for (uint k = open ? maps.count : 0; k < maps.count; ++k)
-    visible += maps.weight[k] * visibleQuarters(maps.map[k], start, int(root.size.x) / 16, int(root.at.y) / 16);
-  return mix(visible, vec4(1.0), greaterThanEqual(visible, vec4(kOpen)));
+  float start = kQuarters * (float(root.at.x) / float(kMomentColumns) - BOXLIGHT_LIGHT_OFFSET), first = floor(start), shift = start - first;
+  int wide = int(root.size.x) / 16;
+  vec4 visible = vec4(0.0);
+  for (int i = open ? 2 * wide + 1 : 0; i <= 2 * wide; ++i) {
+    vec2 column = vec2(0.0);
+    for (uint k = 0; k < 4; ++k) {
+      bool there = k < maps.count;
+      column += (there ? maps.weight[k] : 0.0) * quarterColumn(maps.map[there ? k : 0], int(first) + i, int(root.at.y) / 16);
+    }
+    float left = float(i) - shift, width = float(wide);
+    vec2 inside = clamp(min(vec2(left + 1.0), vec2(width, 2.0 * width)) - max(vec2(left), vec2(0.0, width)), 0.0, 1.0);
+    visible += column.xxyy * inside.xyxy / width;
+  }
+  return open ? vec4(1.0) : mix(visible, vec4(1.0), greaterThanEqual(visible, vec4(kOpen)));
 }
 
-/// Of a cell, or what `known` says of the quarter of its root if that is open, hidden or the cell itself.
+/// Of a cell with this direction in its middle, or what `known` says of the quarter of its root if that is open, hidden or the cell itself.
 float visiblePart(TreeTexels texels, vec3 middle, FilteredMaps maps, float known, bool all) {
   bool found = known <= 0.0 || known >= 1.0 || all;
   float visible = found ? known : 0.0;
-  MapPart part = mapPart(texels, middle.y * inversesqrt(dot(middle.xz, middle.xz)));
-  for (uint k = found ? maps.count : 0; k < maps.count; ++k) visible += maps.weight[k] * visiblePart(maps.map[k], part);
+  for (uint once = found ? 1 : 0; once < 1; ++once) {
+    MapPart part = mapPart(texels, middle.y * inversesqrt(dot(middle.xz, middle.xz)));
+    for (uint k = 0; k < 4; ++k) {
+      bool there = k < maps.count;
+      visible += (there ? maps.weight[k] : 0.0) * visiblePart(maps.map[there ? k : 0], part);
+    }
+  }
   return visible >= kOpen ? 1.0 : max(visible, 0.0);
 }
 

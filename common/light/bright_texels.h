@@ -7,7 +7,7 @@
 
 namespace boxlight {
 
-/// Texels of the moments' lattice that hemispheres count one by one, at most.
+/// Texels of the moments' lattice that hemispheres and lobes count one by one, at most.
 inline constexpr uint32_t kBrightTexels = 32;
 /// Part of the whole light that such a texel has at least.
 inline constexpr double kLeastBright = 0x1p-12;

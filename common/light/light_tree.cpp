@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/light/light_tree.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
-
 
 namespace boxlight {
 namespace {
@@ -68,19 +68,23 @@ Rectangle rectangleOf(TreeCell::Texels texels, double uOffset) {
   return {at.x - uOffset - std::floor(at.x - uOffset), at.y, size.x, size.y};
 }
 
-LightTree::LightTree(const std::function<dmat3(uint32_t x, uint32_t y)>& moment) : cells_(kTreeCells) {
-  for (uint32_t i = 0; i < kTreeCells; ++i) cells_[i].one = momentsOfOne()[i];
+LightTree::LightTree(const std::function<dmat3(uint32_t x, uint32_t y)>& moment)
+    : light_(kTreeCells, dmat3(0.0)) {
   forLevel(0, [&](const TreeCell& cell) {
     const auto [at, size] = cell.texels();
-    for (uint32_t x = at.x; x < at.x + size.x; ++x) cells_[cell.place()].light += moment(x, at.y);
+    for (uint32_t x = at.x; x < at.x + size.x; ++x) light_[cell.place()] += moment(x, at.y);
   });
   for (uint32_t level = 1; level < kTreeLevels; ++level)
     forLevel(level, [&](const TreeCell& cell) {
       TreeCell child = cell;
       child.enter();
       for (uint32_t k = 0; k < 4; ++k, child.leaf += 1u << 2 * child.level)
-        cells_[cell.place()].light += cells_[child.place()].light;
+        light_[cell.place()] += light_[child.place()];
     });
+}
+
+LightCell LightTree::cell(const TreeCell& at) const {
+  return {light_[at.place()], momentsOfOne()[at.place()]};
 }
 
 const std::vector<dvec3>& momentsOfOne() {

@@ -45,10 +45,10 @@ class LightTree {
   LightTree() = default;
   /// `moment`: of the lattice's texels.
   explicit LightTree(const std::function<dmat3(uint32_t x, uint32_t y)>& moment);
-  const LightCell& cell(const TreeCell& at) const { return cells_[at.place()]; }
+  LightCell cell(const TreeCell& at) const;
 
  private:
-  std::vector<LightCell> cells_;
+  std::vector<dmat3> light_;
 };
 
 /// Of a light of 1, for all cells: int w dw.

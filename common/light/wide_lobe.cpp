@@ -105,7 +105,7 @@ void addTree(uint32_t root, const VisibleCells& cells, const LightMoments& light
   const TreeCell whole{root};
   const bool open = cells.part(whole) >= kOpen;
   for (TreeCell at = whole; !at.isEnd();) {
-    const LightCell& cell = light.tree().cell(at);
+    const LightCell cell = light.tree().cell(at);
     const double height = kRowHeight * at.rows();
     const dvec3 direction = glm::normalize(cell.one);
     const bool below = glm::dot(sums.density.normal(), direction) < -kCellRadius * height;

@@ -47,17 +47,16 @@ class VisibleCells {
 SeenLobe seeByCells(const GgxLobe& lobe, const VisibleCells& cells, const LightMoments& light,
                     double uOffset = 0.0);
 
-/// A cell's height, over what the lobe's width would be had it the density that it has at the cell's nearest
-/// point in its middle: of a half vector of slopes s, 2 v.h alpha sqrt(1 + (s_x / alpha_x)^2 +
-/// (s_y / alpha_y)^2), with the smaller alpha.
+/// A cell's height over the length on which the density varies at the cell's nearest point: with half vectors
+/// of slopes s there, 2 v.h alpha sqrt(1 + (s_x / alpha_x)^2 + (s_y / alpha_y)^2), alpha the smaller one.
 inline constexpr double kCellsToLobe = 1.25;
 
 /// clipLobe of lobeBoxes.
 SeenLobe seeByBoxes(const GgxLobe& lobe, const FilteredVisibility& visibility, const SummedArea& light,
                     double uOffset = 0.0);
 
-/// The smaller alpha times n.v, half the width that a lobe has across the plane of the view: from the first
-/// on cells take part, from the second on they are all.
+/// The smaller alpha times n.v, half the lobe's width across the plane of the view: from the first on cells
+/// take part, from the second on they are all.
 inline constexpr float kWideFrom = 0.005f, kWideTo = 0.01f;
 
 /// By the one, the other, or in between by both.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "shaders/shared.h"
@@ -38,22 +39,28 @@ std::array<uint32_t, kMapBlockWords> hiddenBlocks(const VisibilityMap& map) {
   return blocks;
 }
 
+std::array<double, VisibilityMap::kRows> makeRowWeights() {
+  std::array<double, VisibilityMap::kRows> weights;
+  for (size_t y = 0; y < weights.size(); ++y)
+    weights[y] = std::sin(kPiDouble * (double(y) + 0.5) / VisibilityMap::kRows);
+  return weights;
+}
+
 /// shaders/visibility_maps.glsl: quarterColumn. Only what is all visible is 255, only what is all hidden 0.
 std::array<uint32_t, kMapQuarterWords> visibleQuarters(const VisibilityMap& map) {
+  static const auto rowWeights = makeRowWeights();
   constexpr uint32_t kSide = 4;
   std::array<uint32_t, kMapQuarterWords> words{};
   for (uint32_t y = 0; y < VisibilityMap::kRows / kSide; ++y)
     for (uint32_t x = 0; x < VisibilityMap::kColumns / kSide; ++x) {
       double visible = 0, all = 0;
-      uint32_t cells = 0;
-      for (uint32_t i = 0; i < kSide * kSide; ++i) {
-        const uint32_t row = kSide * y + i / kSide;
-        const double weight = std::sin(kPiDouble * (row + 0.5) / VisibilityMap::kRows);
-        const bool seen = map.isVisible(kSide * x + i % kSide, row);
-        all += weight, visible += seen ? weight : 0, cells += seen;
+      int cells = 0;
+      for (uint32_t row = kSide * y; row < kSide * (y + 1); ++row) {
+        const int seen = std::popcount(map.row(row)[x / 8] >> 4 * (x % 8) & 15u);
+        cells += seen, visible += rowWeights[row] * seen, all += rowWeights[row] * kSide;
       }
-      const bool partial = cells > 0 && cells < kSide * kSide;
       const auto code = uint32_t(std::lround(255 * visible / all));
+      const bool partial = cells > 0 && cells < int(kSide * kSide);
       words[4 * x + y / 4] |= (partial ? std::clamp(code, 1u, 254u) : code) << 8 * (y % 4);
     }
   return words;

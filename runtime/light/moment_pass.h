@@ -7,10 +7,10 @@
 
 namespace boxlight::gpu {
 
-/// The moments of the light, int L w dw, as the shading pass reads them for cosine boxes: prefix sums on the
-/// lattice of kMomentSize, the hemispheres above a grid of normals, the bright texels and the
-/// light's trees (shaders/shared.h: kMomentColumns), made on the device from the light map. The sums are of
-/// integers, the same on every device; a row is off by one unit at most. There are two tables: one is read
+/// The moments of the light, int L w dw, as the shading passes read them for cosine boxes and wide lobes:
+/// prefix sums on the lattice of kMomentSize, the hemispheres above a grid of normals, the bright texels and
+/// the light's trees (shaders/shared.h: kMomentColumns), made on the device from the light map. The sums are
+/// of integers, the same on every device; a row is off by one unit at most. There are two tables: one is read
 /// while the other is built.
 class MomentPass {
  public:

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/bench/accuracy/split_scheme.h"
 
-#include <map>
-
 #include "bake/kernels/box_fit.h"
 #include "bake/kernels/visibility_trace.h"
 #include "bake/transport/bsdf.h"
@@ -35,9 +33,13 @@ SplitTexel::SplitTexel(const LabScene& scene, const Subject& subject, vec3 direc
   const FilteredVisibility visibility{{&map_}, {1.0f}};
   const VisibleCells cells(visibility);
   pixels_.resize(subject.plan.record.roughness < 0.25f ? 256 : 64);
-  for (uint32_t pixel = 0; pixel < pixels_.size(); ++pixel)
+  for (uint32_t pixel = 0; pixel < pixels_.size(); ++pixel) {
+    const GgxLobe own = lobe(direction, pixel);
     for (const ProbeLight& light : lights)
-      pixels_[pixel].push_back(seeLobe(lobe(direction, pixel), visibility, cells, light.area));
+      pixels_[pixel].push_back(seeLobe(own, visibility, cells, light.area));
+  }
+  for (const uint32_t view : scene.sphere().locate(direction).view)
+    scene.trace(subject, Gloss::sharp, scene.sphere().directions()[view], view, paths, viewPaths_[view]);
 }
 
 /// As if nothing stood around.
@@ -68,8 +70,7 @@ SplitTexel::Stored SplitTexel::around(const ViewSphere& sphere, vec3 direction, 
 
 Radiances SplitTexel::byViews(uint32_t boxes) const {
   const Stored stored = around(scene_.sphere(), direction_, [&](uint32_t view) -> Stored {
-    KernelPaths paths;
-    scene_.trace(subject_, Gloss::sharp, scene_.sphere().directions()[view], view, paths_, paths);
+    KernelPaths paths = viewPaths_.at(view);
     const double part = paths.hiddenPart();
     if (part < double(KernelOptions::kLeastHiddenPart)) return {};
     paths.removeMirrored();

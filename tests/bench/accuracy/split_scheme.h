@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 
 #include "bake/kernels/texel_bake.h"
 #include "common/light/wide_lobe.h"
@@ -42,6 +43,7 @@ class SplitTexel {
   PathOrigin origin_;
   VisibilityMap map_;
   std::vector<std::vector<SeenLobe>> pixels_;  ///< under each light
+  std::map<uint32_t, KernelPaths> viewPaths_;
 };
 
 }  // namespace boxlight::accuracy

@@ -76,7 +76,7 @@ SeenLobe truth(const GgxLobe& lobe, const std::function<bool(vec3)>& visible, co
 }
 
 const vec3 kNormals[] = {{0, 1, 0}, {-1, 0, 1e-4f}, {0.3f, 0.9f, -0.4f}, {1, -0.2f, 0.7f}};
-constexpr float kAlphas[] = {0.02f, 0.05f, 0.15f, 0.4f, 1.0f}, kCosines[] = {0.3f, 0.7f, 1.0f};
+constexpr float kAlphas[] = {0.02f, 0.05f, 0.15f, 0.4f, 1.0f}, kCosines[] = {0.08f, 0.3f, 0.7f, 1.0f};
 
 /// Behind one map.
 SeenLobe seen(const GgxLobe& lobe, const VisibilityMap& map, const LightMoments& light, double uOffset = 0) {
@@ -100,7 +100,7 @@ TEST(WideLobe, AConstantLightReturnsWhatIsNotHidden) {
   const VisibilityMap half = visibleWhere([](vec3 d) { return d.x > 0.1f; });
   forLobes([&](const GgxLobe& lobe) {
     const SeenLobe open = seen(lobe, kOpen, light), some = seen(lobe, half, light);
-    EXPECT_LT(glm::length(open.radiance - dvec3(1, 2, 3)), 1e-5);
+    EXPECT_LT(glm::length(open.radiance - dvec3(1, 2, 3)), 3e-5);
     EXPECT_LT(open.hidden, 1e-9);
     EXPECT_GT(some.hidden, 0.0);
     EXPECT_NEAR(some.radiance.y / 2, 1 - some.hidden, 0.03);  // channels differ by Fresnel's colour
