@@ -363,18 +363,13 @@ TEST_F(SplitTest, DirectionCellsSendWhatEmittersSend) {
   EXPECT_LT(compare(metal(0.3f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
 }
 
-TEST_F(SplitTest, BesideKernelsOfViewsDirectionCellsHaveTheirPart) {
+TEST_F(SplitTest, BesideOtherRecordsDirectionCellsHaveTheirPart) {
   square_.visibility = spottedMap;
   square_.directionCells = 3;
   mixed_ = true;
-  EXPECT_LT(compare(metal(0.3f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
-}
-
-TEST_F(SplitTest, BesideWholeLobesDirectionCellsHaveTheirPart) {
-  square_.visibility = spottedMap;
-  square_.directionCells = 3;
-  half_ = true;
-  EXPECT_LT(compare(metal(0.4f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2);
+  EXPECT_LT(compare(metal(0.3f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2) << "beside kernels of views";
+  mixed_ = false, half_ = true;
+  EXPECT_LT(compare(metal(0.4f), 0.25f, Rgb(0.2f, 0.1f, 0.4f)), 1e-2) << "beside whole lobes";
 }
 
 TEST_F(SplitTest, SmallTexelBuffersLeaveThePictureAsItIs) {
