@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <random>
 
 #include "common/light/environment.h"
 #include "common/light/light_map.h"
@@ -39,15 +38,6 @@ std::vector<uint32_t> referenceTable(const Image& map, const gpu::FixedPoint& fi
       }
   }
   return table;
-}
-
-Image noisyMap(uvec2 size, float sun) {
-  Image map = makeImage(size.x, size.y, 3);
-  std::mt19937 random(7);
-  std::uniform_real_distribution<float> uniform(0.0f, 2.0f);
-  for (float& value : map.pixels) value = uniform(random);
-  for (int c = 0; c < 3; ++c) map.at(size.x / 3, size.y / 4)[c] = sun;
-  return map;
 }
 
 class LightTableTest : public GpuTest {

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <bit>
-#include <random>
 
 #include "common/light/light_map.h"
 #include "common/light/light_moments.h"
@@ -14,15 +13,6 @@
 
 namespace boxlight {
 namespace {
-
-Image noisyImage(uvec2 size, float sun) {
-  Image image = makeImage(size.x, size.y, 3);
-  std::mt19937 random(5);
-  std::uniform_real_distribution<float> uniform(0.0f, 2.0f);
-  for (float& value : image.pixels) value = uniform(random);
-  for (int c = 0; c < 3; ++c) image.at(size.x / 3, size.y / 4)[c] = sun;
-  return image;
-}
 
 class LightTreeTest : public GpuTest {
  protected:
@@ -71,12 +61,12 @@ class LightTreeTest : public GpuTest {
   }
 };
 
-TEST_F(LightTreeTest, EqualsTheCpus) { expectEqual(noisyImage({512, 256}, 1.0f)); }
-TEST_F(LightTreeTest, EqualsTheCpusWithASun) { expectEqual(noisyImage({1024, 512}, 1e6f)); }
+TEST_F(LightTreeTest, EqualsTheCpus) { expectEqual(noisyMap({512, 256}, 1.0f)); }
+TEST_F(LightTreeTest, EqualsTheCpusWithASun) { expectEqual(noisyMap({1024, 512}, 1e6f)); }
 
 /// More texels than are counted one by one: both take the same of them.
 TEST_F(LightTreeTest, EqualsTheCpusUnderALamp) {
-  Image image = noisyImage({256, 128}, 1.0f);
+  Image image = noisyMap({256, 128}, 1.0f);
   for (uint32_t y = 20; y < 32; ++y)
     for (uint32_t x = 100; x < 120; ++x) std::fill_n(image.at(x, y), 3, 60.0f);
   expectEqual(image);

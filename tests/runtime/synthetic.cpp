@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/runtime/synthetic.h"
 
+#include <random>
+
 #include "common/asset/asset_writer.h"
 #include "common/light/light_domain.h"
 #include "common/light/view_sphere.h"
@@ -142,6 +144,15 @@ void GpuTest::TearDown() {
 }
 
 std::filesystem::path GpuTest::file(const char* name) const { return folder_ / name; }
+
+Image noisyMap(uvec2 size, float sun) {
+  Image map = makeImage(size.x, size.y, 3);
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> uniform(0.0f, 2.0f);
+  for (float& value : map.pixels) value = uniform(random);
+  for (int c = 0; c < 3; ++c) map.at(size.x / 3, size.y / 4)[c] = sun;
+  return map;
+}
 
 Image constantEnvironment(uvec2 size, Rgb radiance) {
   Image image = makeImage(size.x, size.y, 3);

@@ -68,6 +68,8 @@ class GpuTest : public testing::Test {
 };
 
 Image constantEnvironment(uvec2 size, Rgb radiance);
+/// Noise up to 2, and one texel of `sun`.
+Image noisyMap(uvec2 size, float sun);
 /// +X red, -X green, +Y blue, -Y yellow, +Z magenta, -Z cyan: each direction has the colour of its largest
 /// component.
 Image axesEnvironment(uvec2 size);
