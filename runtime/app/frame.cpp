@@ -104,7 +104,10 @@ FrameRenderer::Parts::Parts(Device& gpu, const asset::AssetReader& assetReader, 
 }
 
 LightSettings FrameRenderer::Parts::lightSettings() const {
-  return {.size = settings.lightSize, .scheme = settings.satScheme, .moments = needsMoments(reader.asset())};
+  return {.size = settings.lightSize,
+          .scheme = settings.satScheme,
+          .moments = needsMoments(reader.asset()),
+          .lightTrees = hasWideLobes(reader.asset())};
 }
 
 SurfaceConstants FrameRenderer::Parts::makeConstants() const {

@@ -31,7 +31,7 @@ Light::Light(Device& device, const Image& environment, EnvironmentTilt tilt, con
       bindings_(device),
       map_(device, bindings_, settings.size),
       table_(device, bindings_, settings.size, settings.scheme, settings.build) {
-  if (settings.moments) moments_.emplace(device, bindings_, settings.size);
+  if (settings.moments) moments_.emplace(device, bindings_, settings.size, settings.lightTrees);
   map_.setImage(device, bindings_, image_);
   prepare();
 }

@@ -13,7 +13,8 @@ struct LightSettings {
   uvec2 size{512, 256};  ///< of the light map
   SatScheme scheme = SatScheme::compact;
   SatBuild build = SatBuild::automatic;
-  bool moments = false;  ///< for cosine boxes and wide lobes
+  bool moments = false;     ///< for cosine boxes and lobes by cells
+  bool lightTrees = false;  ///< with moments: for lobes by cells
 };
 
 /// A distant light on the device: environment -> light map -> summed-area table, and moments. A rotation

@@ -81,7 +81,7 @@ std::vector<uvec4> makeNodes() {
 
 }  // namespace
 
-MomentPass::MomentPass(Device& device, Bindings& bindings, uvec2 mapSize)
+MomentPass::MomentPass(Device& device, Bindings& bindings, uvec2 mapSize, bool trees)
     : mapSize_(mapSize),
       constants_(device, "constants of the moments", sizeof(MomentConstants)),
       covers_(device, "covers of the moments", 0),
@@ -93,18 +93,18 @@ MomentPass::MomentPass(Device& device, Bindings& bindings, uvec2 mapSize)
       columns_(device, bindings, moment_columns_comp),
       brightTexels_(device, bindings, bright_texels_comp),
       cellSums_(device, bindings, moment_cells_comp),
-      nodes_(device, bindings, moment_nodes_comp),
-      tree_(device, bindings, light_tree_comp) {
+      nodes_(device, bindings, moment_nodes_comp) {
+  if (trees) trees_.emplace(device, bindings, light_tree_comp);
   const MomentCover cover = makeMomentCover(mapSize);
   rowShares_ = uint32_t(3 * cover.columnWeights.size());
   covers_ = makeBuffer(device, "covers of the moments", coversOf(cover));
   weights_ = makeBuffer(device, "weights of the moments", weightsOf(cover));
   const std::vector<uvec4> nodes = makeNodes();
-  const std::vector<vec4> cells = makeTreeCells();
+  const std::vector<vec4> cells = trees ? makeTreeCells() : std::vector<vec4>{};
   for (int i = 0; i < 2; ++i) {
-    tables_.emplace_back(device, "moments of the light", kMomentEnd * sizeof(uvec4));
+    tables_.emplace_back(device, "moments of the light", (trees ? kMomentEnd : kMomentTree) * sizeof(uvec4));
     upload(device, tables_.back(), std::as_bytes(std::span(nodes)), kMomentNodes * sizeof(uvec4));
-    upload(device, tables_.back(), std::as_bytes(std::span(cells)), kMomentTree * sizeof(uvec4));
+    if (trees) upload(device, tables_.back(), std::as_bytes(std::span(cells)), kMomentTree * sizeof(uvec4));
   }
   bindings.set(gpu::kMomentConstants, constants_);
   bindings.set(gpu::kMomentCovers, covers_);
@@ -132,7 +132,7 @@ void MomentPass::build(Commands& commands) const {
   commands.dispatch(brightTexels_, {1, 1, 1});
   commands.dispatch(cellSums_, {groupsFor(3 * kHorizonCellCount), 1, 1});
   commands.dispatch(nodes_, {groupsFor(kHorizonNodeCount), 1, 1});
-  commands.dispatch(tree_, {kTreeRoots, 1, 1});
+  if (trees_) commands.dispatch(*trees_, {kTreeRoots, 1, 1});
 }
 
 void MomentPass::flip() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "runtime/vulkan/commands.h"
@@ -15,7 +16,8 @@ namespace boxlight::gpu {
 class MomentPass {
  public:
   /// `bindings`: of the light's passes; the light map, of `mapSize`, is bound there.
-  MomentPass(Device& device, Bindings& bindings, uvec2 mapSize);
+  /// Without `trees` the table ends before them.
+  MomentPass(Device& device, Bindings& bindings, uvec2 mapSize, bool trees);
 
   /// Of the light to build: radiance times steradian of its strongest channel over the whole sphere, and how
   /// many times that its map may have.
@@ -32,7 +34,8 @@ class MomentPass {
   float unit_ = 1, nextUnit_ = 1;
   Buffer constants_, covers_, weights_, texels_, cells_;
   std::vector<Buffer> tables_;
-  ComputePipeline moments_, rows_, columns_, brightTexels_, cellSums_, nodes_, tree_;
+  ComputePipeline moments_, rows_, columns_, brightTexels_, cellSums_, nodes_;
+  std::optional<ComputePipeline> trees_;
 };
 
 }  // namespace boxlight::gpu

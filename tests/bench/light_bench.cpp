@@ -28,9 +28,10 @@ void build(gpu::Light& light) {
   light.show();
 }
 
-/// A new 1k environment: upload, light map of 512 x 256, table, and moments where asked for.
-void BM_NewEnvironment(benchmark::State& state, gpu::SatScheme scheme, gpu::SatBuild sums, bool moments) {
-  gpu::Light light(device(), sky(), {}, {{512, 256}, scheme, sums, moments});
+/// A new 1k environment: upload, light map of 512 x 256, table, and moments and trees where asked for.
+void BM_NewEnvironment(benchmark::State& state, gpu::SatScheme scheme, gpu::SatBuild sums, bool moments,
+                       bool trees = false) {
+  gpu::Light light(device(), sky(), {}, {{512, 256}, scheme, sums, moments, trees});
   build(light);
   for (auto _ : state) {
     light.setEnvironment(sky());
@@ -42,6 +43,10 @@ BENCHMARK_CAPTURE(BM_NewEnvironment, compact, gpu::SatScheme::compact, gpu::SatB
     ->UseRealTime();
 BENCHMARK_CAPTURE(BM_NewEnvironment, compact_with_moments, gpu::SatScheme::compact, gpu::SatBuild::automatic,
                   true)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK_CAPTURE(BM_NewEnvironment, compact_with_trees, gpu::SatScheme::compact, gpu::SatBuild::automatic,
+                  true, true)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime();
 BENCHMARK_CAPTURE(BM_NewEnvironment, exact, gpu::SatScheme::exact, gpu::SatBuild::automatic, false)

@@ -18,7 +18,7 @@ class LightTreeTest : public GpuTest {
  protected:
   /// The device's moments in the cells of all trees, and its bright texels, against the CPU's.
   void expectEqual(const Image& image) {
-    const gpu::LightSettings settings{.size = {512, 256}, .moments = true};
+    const gpu::LightSettings settings{.size = {512, 256}, .moments = true, .lightTrees = true};
     gpu::Light light(*device_, image, {}, settings);
     device_->run([&](gpu::Commands& commands) { light.build(commands); });
     light.show();
