@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #version 460
 #extension GL_GOOGLE_include_directive : require
-// Fourth pass, of one workgroup: the lattice's brightest texels (bright_texels.h), as table entries behind the nodes.
+// Fourth pass, of one workgroup: the lattice's brightest texels (bright_texels.h), as table entries behind the nodes. The lattice is left
+// without them.
 #include "moment_source.glsl"
 
 layout(local_size_x = kGroupSize) in;
-layout(std430, binding = kMomentTexels) readonly buffer Texels { float texels[]; };
+layout(std430, binding = kMomentTexels) buffer Texels { float texels[]; };
 layout(std430, binding = kMomentTable) buffer Table { uvec4 table[]; };
 
 const uint kBins = 256, kShare = kMomentColumns * kMomentRows / kGroupSize;
@@ -30,6 +31,7 @@ void store(uint place, uint i) {
   for (uint axis = 0; axis < 3; ++axis) {
     uvec3 sum = table[momentPlace(x + 1, y + 1, axis)].xyz - table[momentPlace(x, y + 1, axis)].xyz -
                 (table[momentPlace(x + 1, y, axis)].xyz - table[momentPlace(x, y, axis)].xyz);
+    for (uint c = 0; c < 3; ++c) texels[momentTexel(x, y, axis) + c] = 0.0;
     table[kMomentBright + 1 + 3 * place + axis] = uvec4(sum, axis == 0 ? y / size.y * kHorizonCellColumns + x / size.x : axis == 1 ? x : y);
   }
 }

@@ -10,29 +10,12 @@ layout(local_size_x = kGroupSize) in;
 layout(std430, binding = kMomentTexels) readonly buffer Texels { float texels[]; };
 layout(std430, binding = kMomentTable) coherent buffer Table { uvec4 table[]; };
 
-shared uint brightCount, bright[kBrightTexels];  // of those in the tree, their places
-
-void findBright(TreeTexels whole) {
-  brightCount = 0;
-  uint end = kMomentBright + 1 + 3 * table[kMomentBright].x;
-  for (uint i = kMomentBright + 1; i < end; i += 3) {
-    uvec2 texel = uvec2(table[i + 1].w, table[i + 2].w) - whole.at;  // large if it lies before
-    if (all(lessThan(texel, whole.size))) bright[brightCount++] = i;
-  }
-}
-
-bool isBright(uvec2 texel) {
-  bool found = false;
-  for (uint i = 0; i < brightCount; ++i) found = found || texel == uvec2(table[bright[i] + 1].w, table[bright[i] + 2].w);
-  return found;
-}
-
 /// From the texels themselves: beside a sun whole numbers would leave little of what is dark.
 vec3 leafMoment(TreeTexels leaf, uint axis) {
   vec3 sum = vec3(0.0);
   for (uint x = leaf.at.x; x < leaf.at.x + leaf.size.x; ++x) {
     uint texel = momentTexel(x, leaf.at.y, axis);
-    if (!isBright(uvec2(x, leaf.at.y))) sum += vec3(texels[texel], texels[texel + 1], texels[texel + 2]);
+    sum += vec3(texels[texel], texels[texel + 1], texels[texel + 2]);
   }
   return sum;
 }
@@ -47,9 +30,6 @@ vec3 sumOfChildren(TreeCell cell, uint axis) {
 }
 
 void main() {
-  TreeTexels whole = treeTexels(treeRoot(gl_WorkGroupID.x));
-  if (gl_LocalInvocationID.x == 0) findBright(whole);
-  barrier();
   for (uint level = 0; level < kTreeLevels; ++level) {
     uint count = 3 * (kTreeLeaves >> 2 * level);
     for (uint i = gl_LocalInvocationID.x; i < count; i += kGroupSize) {
