@@ -157,7 +157,8 @@ SHARED_CONSTANT kHorizonCellRows = 16;
 SHARED_CONSTANT kHorizonCellCount = kHorizonCellColumns * kHorizonCellRows;
 SHARED_CONSTANT kMomentNodes = 3 * kMomentStride * (kMomentRows + 1);  // place of the first
 // Then the number of bright texels (bright_texels.h), which nodes and trees leave out, and
-// uvec4[bright][axis]: their sums, and as w the cell that they lie in, column and row on the lattice.
+// uvec4[bright][axis]: their sums, and as w the horizon cell that they lie in, column and row on the
+// lattice.
 SHARED_CONSTANT kBrightTexels = 32;
 SHARED_CONSTANT kMomentBright = kMomentNodes + 3 * kHorizonNodeCount;
 // Then the cells of the light's trees (common/light/light_tree.h), LightCell: uvec4[cell][axis], floats:

@@ -99,9 +99,8 @@ std::vector<LightCell> LightMoments::horizonCells() const {
   std::vector<LightCell> cells;
   for (uint32_t i = 0; i < kHorizonCells.x * kHorizonCells.y; ++i) {
     const uvec2 at = uvec2(i % kHorizonCells.x, i / kHorizonCells.x) * kSize, to = at + kSize;
-    const Rectangle r = rectangleOf(TreeCell::Texels{at, kSize}, 0.0);
-    cells.push_back({sum(to.x, to.y) - sum(at.x, to.y) - (sum(to.x, at.y) - sum(at.x, at.y)),
-                     r.solidAngle() * meanDirection(r.u0, r.v0, r.du, r.dv)});
+    cells.push_back(
+        {sum(to.x, to.y) - sum(at.x, to.y) - (sum(to.x, at.y) - sum(at.x, at.y)), momentOfOne({at, kSize})});
   }
   for (const BrightTexel& bright : bright_) {
     const uvec2 at = bright.at / kSize;

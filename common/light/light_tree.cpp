@@ -37,10 +37,7 @@ void forLevel(uint32_t level, Visit&& visit) {
 std::vector<dvec3> makeMomentsOfOne() {
   std::vector<dvec3> moments(kTreeCells);
   for (uint32_t level = 0; level < kTreeLevels; ++level)
-    forLevel(level, [&](const TreeCell& cell) {
-      const Rectangle r = rectangleOf(cell.texels(), 0.0);
-      moments[cell.place()] = r.solidAngle() * meanDirection(r.u0, r.v0, r.du, r.dv);
-    });
+    forLevel(level, [&](const TreeCell& cell) { moments[cell.place()] = momentOfOne(cell.texels()); });
   return moments;
 }
 
@@ -85,6 +82,11 @@ LightTree::LightTree(const std::function<dmat3(uint32_t x, uint32_t y)>& moment)
 
 LightCell LightTree::cell(const TreeCell& at) const {
   return {light_[at.place()], momentsOfOne()[at.place()]};
+}
+
+dvec3 momentOfOne(TreeCell::Texels texels) {
+  const Rectangle r = rectangleOf(texels, 0.0);
+  return r.solidAngle() * meanDirection(r.u0, r.v0, r.du, r.dv);
 }
 
 const std::vector<dvec3>& momentsOfOne() {

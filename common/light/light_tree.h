@@ -51,7 +51,8 @@ class LightTree {
   std::vector<dmat3> light_;
 };
 
-/// Of a light of 1, for all cells: int w dw.
+/// Of a light of 1, in the light map's directions: int w dw over lattice texels, and for all cells.
+dvec3 momentOfOne(TreeCell::Texels texels);
 const std::vector<dvec3>& momentsOfOne();
 
 }  // namespace boxlight

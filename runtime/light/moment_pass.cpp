@@ -56,8 +56,7 @@ std::vector<vec4> makeHorizonCells() {
   constexpr uvec2 kSize = kMomentSize / kHorizonCells;
   for (uint32_t i = 0; i < kHorizonCellCount; ++i) {
     const uvec2 at = uvec2(i % kHorizonCellColumns, i / kHorizonCellColumns) * kSize;
-    const Rectangle r = rectangleOf(TreeCell::Texels{at, kSize}, 0.0);
-    addCell(cells, r.solidAngle() * meanDirection(r.u0, r.v0, r.du, r.dv));
+    addCell(cells, momentOfOne({at, kSize}));
   }
   return cells;
 }
