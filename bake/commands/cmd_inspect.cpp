@@ -79,7 +79,8 @@ Summary summarise(const AssetReader& reader) {
 }
 
 const char* codecName(asset::Codec codec) {
-  return codec == asset::Codec::none ? "none" : codec == asset::Codec::zstd ? "zstd" : "pages";
+  constexpr const char* kNames[] = {"none", "zstd", "pages", "planes"};
+  return kNames[size_t(codec)];
 }
 
 double ratio(uint64_t value, uint64_t by) { return by ? double(value) / double(by) : 0.0; }

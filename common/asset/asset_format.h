@@ -18,7 +18,7 @@ inline constexpr uint8_t kMagic[8] = {0xAB, 'P', 'T', 'B', '\r', '\n', 0x1A, '\n
 inline constexpr uint16_t kMajorVersion = 1;  ///< a reader refuses any other
 /// 1.1 adds MATX, TXFM and kernels with emitted radiance; 1.2 the scheme split with VISI; 1.3 the scheme
 /// cells with CELL; 1.4 cosine boxes.
-inline constexpr uint16_t kMinorVersion = 4;
+inline constexpr uint16_t kMinorVersion = 5;
 inline constexpr uint32_t kNone = 0xFFFFFFFFu;
 inline constexpr uint32_t kTileRecords =
     64;  ///< texel records per tile at most: one bit each in a 64-bit mask
@@ -51,9 +51,11 @@ const char* schemeName(Scheme scheme);  ///< as `ptbake bake --scheme` has it
 
 enum class Codec : uint32_t {
   none = 0,
-  zstd = 1,   ///< one zstd frame with its content size, no dictionary
-  pages = 2,  ///< separately compressed pages, found and verified through an index chunk of their own
+  zstd = 1,    ///< one zstd frame with its content size, no dictionary
+  pages = 2,   ///< separately compressed pages, found and verified through an index chunk of their own
+  planes = 3,  ///< the same, the boxes of each laid out in planes (page_codec.h)
 };
+inline bool isPaged(Codec codec) { return codec == Codec::pages || codec == Codec::planes; }
 
 struct FileHeader {
   uint8_t magic[8];
@@ -72,8 +74,8 @@ struct ChunkEntry {
   Codec codec;
   uint64_t offset;      ///< from the start of the file, a multiple of 16
   uint64_t storedSize;  ///< bytes in the file
-  uint64_t rawSize;     ///< bytes after decoding; of all pages together for Codec::pages
-  uint64_t hash;  ///< xxh64 (seed 0) of the stored bytes; 0 for Codec::pages, whose pages carry their own
+  uint64_t rawSize;     ///< bytes after decoding; of all pages together where isPaged
+  uint64_t hash;        ///< xxh64 (seed 0) of the stored bytes; 0 where isPaged: pages carry their own
 };
 static_assert(sizeof(ChunkEntry) == 40);
 
@@ -96,7 +98,7 @@ inline constexpr uint32_t kVisibilityMaps =
 inline constexpr uint32_t kCellSphere = fourCc("CELL");  ///< one CellSphere; optional
 inline constexpr uint32_t kStreamMasks = fourCc("MASK");  ///< uint64_t[streamCount][tileCount]
 inline constexpr uint32_t kPageIndex = fourCc("PGIX");    ///< PageEntry[streamCount][tileCount]
-inline constexpr uint32_t kPages = fourCc("PAGE");        ///< PackedBox pages, stream-major; Codec::pages
+inline constexpr uint32_t kPages = fourCc("PAGE");        ///< PackedBox pages, stream-major; isPaged
 }  // namespace chunk
 
 /// A stream is one set of kernels of every texel: streams 0 .. viewCount-1 are the glossy kernels of the

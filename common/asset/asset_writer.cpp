@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "common/asset/asset_checks.h"
-#include "common/asset/frame_codec.h"
+#include "common/asset/page_codec.h"
 #include "common/base/file.h"
 
 namespace boxlight::asset {
@@ -37,13 +37,13 @@ class ChunkWriter {
 
   void beginPages() {
     align();
-    table_.push_back({chunk::kPages, Codec::pages, file_.size(), 0, 0, 0});
+    table_.push_back({chunk::kPages, Codec::planes, file_.size(), 0, 0, 0});
   }
 
-  PageEntry addPage(std::span<const PackedBox> boxes) {
+  PageEntry addPage(std::span<const PackedBox> boxes, uint32_t slots) {
     ChunkEntry& pages = table_.back();
     assert(pages.type == chunk::kPages && !boxes.empty());
-    const auto frame = compressor_.compress(std::as_bytes(boxes));
+    const auto frame = compressPage(compressor_, boxes, slots);
     const PageEntry entry{pages.storedSize, uint32_t(frame.size()), uint32_t(boxes.size_bytes()),
                           xxh64(frame)};
     file_.write(frame);
@@ -128,10 +128,11 @@ std::vector<PageEntry> writePages(ChunkWriter& writer, const Asset& asset, const
       const std::string place = pagePlace(asset, stream, tile);
       if (const uint64_t expected = pageBoxCount(asset, stream, tile); boxes.size() != expected)
         report(FindingCode::pageSize, chunk::kPages, place, "{} boxes instead of {}", boxes.size(), expected);
-      checkBoxes(boxes, asset.boxesPerKernel(stream, tile), place, report);
+      const uint32_t slots = asset.boxesPerKernel(stream, tile);
+      checkBoxes(boxes, slots, place, report);
       checkSlotKinds(asset, stream, tile, boxes, report);
       emitted.check(stream, tile, boxes, report);
-      index[size_t(stream) * asset.tiles.size() + tile] = writer.addPage(boxes);
+      index[size_t(stream) * asset.tiles.size() + tile] = writer.addPage(boxes, slots);
     }
   return index;
 }

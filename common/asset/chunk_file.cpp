@@ -149,8 +149,8 @@ bool ChunkFile::checkEntry(const ChunkEntry& entry, const Reporter& report) cons
     return false;
   }
   if (!isKnownChunk(entry.type)) return true;
-  const bool paged = entry.codec == Codec::pages;
-  if (paged != (entry.type == chunk::kPages) || uint32_t(entry.codec) > uint32_t(Codec::pages)) {
+  const bool paged = isPaged(entry.codec);
+  if (paged != (entry.type == chunk::kPages) || uint32_t(entry.codec) > uint32_t(Codec::planes)) {
     report(chunkCodec, entry.type, "", "codec {}", uint32_t(entry.codec));
     return false;
   }

@@ -38,8 +38,8 @@ class ChunkFile {
   /// Is there an entry of this type, sound or not?
   bool names(uint32_t type) const;
 
-  /// Reads, verifies and decodes a chunk into `raw`, of entry.rawSize bytes. False if it is damaged. Not for
-  /// Codec::pages.
+  /// Reads, verifies and decodes a chunk into `raw`, of entry.rawSize bytes. False if it is damaged. Not
+  /// for pages.
   bool read(const ChunkEntry& entry, std::span<std::byte> raw, const Reporter& report) const;
   /// The stored bytes, verified but not decoded.
   std::optional<std::vector<std::byte>> readStored(const ChunkEntry& entry, const Reporter& report) const;

@@ -39,6 +39,25 @@ std::span<const std::byte> FrameCompressor::compress(std::span<const std::byte> 
   return std::span(buffer_).first(size);
 }
 
+std::span<const std::byte> FrameCompressor::compress(std::span<const std::byte> raw,
+                                                     std::span<const size_t> blocks) {
+  constexpr size_t kFlushes = 16;  // bytes that an end of a block may add
+  auto* const context = static_cast<ZSTD_CCtx*>(context_);
+  buffer_.resize(std::max(buffer_.size(), ZSTD_compressBound(raw.size()) + kFlushes * blocks.size()));
+  ZSTD_CCtx_reset(context, ZSTD_reset_session_only);
+  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel);
+  ZSTD_CCtx_setPledgedSrcSize(context, raw.size());
+  ZSTD_outBuffer out{buffer_.data(), buffer_.size(), 0};
+  ZSTD_inBuffer in{raw.data(), 0, 0};
+  for (size_t b = 0; b < blocks.size(); ++b) {
+    in.size += blocks[b];
+    const size_t left =
+        ZSTD_compressStream2(context, &out, &in, b + 1 < blocks.size() ? ZSTD_e_flush : ZSTD_e_end);
+    if (left != 0) throw std::bad_alloc();  // the buffer is large enough: memory is all it can lack
+  }
+  return std::span(buffer_).first(out.pos);
+}
+
 bool decompressFrame(std::span<const std::byte> frame, std::span<std::byte> raw) {
   if (ZSTD_getFrameContentSize(frame.data(), frame.size()) != raw.size()) return false;
   if (ZSTD_findFrameCompressedSize(frame.data(), frame.size()) != frame.size()) return false;

@@ -17,6 +17,8 @@ class FrameCompressor {
   FrameCompressor& operator=(const FrameCompressor&) = delete;
 
   std::span<const std::byte> compress(std::span<const std::byte> raw);
+  /// The same with blocks of these sizes, which add up to raw.size(): each may have codes of its own.
+  std::span<const std::byte> compress(std::span<const std::byte> raw, std::span<const size_t> blocks);
 
  private:
   void* context_;

@@ -2,7 +2,7 @@
 #include "common/asset/page_read.h"
 
 #include "common/asset/asset_checks.h"
-#include "common/asset/frame_codec.h"
+#include "common/asset/page_codec.h"
 #include "common/base/file.h"
 
 namespace boxlight::asset {
@@ -22,6 +22,19 @@ std::span<const std::byte> readStoredPage(const ChunkFile& file, const LoadedAss
   return stored;
 }
 
+namespace {
+
+bool decodePage(Codec codec, std::span<const std::byte> stored, uint32_t slots, std::span<PackedBox> boxes) {
+  if (codec == Codec::pages) return decompressFrame(stored, std::as_writable_bytes(boxes));
+  thread_local std::vector<std::byte> planes;
+  planes.resize(boxes.size_bytes());
+  if (!decompressFrame(stored, planes)) return false;
+  planesToBoxes(planes, slots, boxes);
+  return true;
+}
+
+}  // namespace
+
 std::vector<PackedBox> readPage(const ChunkFile& file, const LoadedAsset& loaded, uint32_t stream,
                                 uint32_t tile, const Reporter& report) {
   const Asset& asset = loaded.asset;
@@ -29,7 +42,7 @@ std::vector<PackedBox> readPage(const ChunkFile& file, const LoadedAsset& loaded
   if (stored.empty()) return {};
   const std::string place = pagePlace(asset, stream, tile);
   std::vector<PackedBox> boxes(pageBoxCount(asset, stream, tile));
-  if (!decompressFrame(stored, std::as_writable_bytes(std::span(boxes)))) {
+  if (!decodePage(file.find(chunk::kPages)->codec, stored, asset.boxesPerKernel(stream, tile), boxes)) {
     report(FindingCode::pageFrame, chunk::kPages, place, "not one zstd frame of {} bytes",
            boxes.size() * sizeof(PackedBox));
     return {};

@@ -37,8 +37,8 @@ struct PackedBox {
 };
 static_assert(sizeof(PackedBox) == 16);
 
-/// Rounds the edges to the nearest code. Energy is kept, so a moved edge costs no energy (Omega
-/// compensation).
+/// Rounds the edges to the nearest code and the energy to nine significant bits, as RGB9E5 gives its largest
+/// channel. A moved edge costs no energy (Omega compensation).
 PackedBox packBox(const Box& box);
 Box unpackBox(const PackedBox& packed);
 

@@ -46,7 +46,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Version{"version-1.1.ptb", 0x2494a6ebac4d2b26ull, {}},
                       Version{"version-1.2.ptb", 0xe0cf0c3ba180b77aull, {.split = true}},
                       Version{"version-1.3.ptb", 0x5a174fe6224cc596ull, {.split = true, .cells = true}},
-                      Version{"version-1.4.ptb", 0x708ee3641001e4ffull, {.cosine = true}}));
+                      Version{"version-1.4.ptb", 0x708ee3641001e4ffull, {.cosine = true}},
+                      Version{"version-1.5.ptb", 0x708ee3641001e4ffull, {.cosine = true}}));
 
 }  // namespace
 }  // namespace boxlight::asset

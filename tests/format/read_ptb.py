@@ -23,7 +23,7 @@ NONE = 0xFFFFFFFF
 MAGIC = bytes([0xAB, 0x50, 0x54, 0x42, 0x0D, 0x0A, 0x1A, 0x0A])
 HEADER = struct.Struct("<8sHHIIIQQ")
 CHUNK = struct.Struct("<IIQQQQ")
-NO_CODEC, ZSTD, PAGES = 0, 1, 2
+NO_CODEC, ZSTD, PAGES, PLANES = 0, 1, 2, 3
 
 # Chapters 3 to 7: one row of numbers for each record, reserved fields left out ("4x").
 TABLES = {
@@ -48,6 +48,8 @@ BOX = struct.Struct("<4H3eH")
 LIGHT, EMISSION, HIDDEN, COSINE = 0, 1, 2, 3
 SKETCH, SPLIT, CELLS = 1, 2, 3
 BACK_SIDE, SPLIT_LOBE, DIRECTION_CELLS = 1, 2, 4  # flags of a record
+BYTE_OF_PLANE = [14, 15, 1, 3, 5, 7, 0, 2, 4, 6, 9, 11, 13, 8, 10, 12]
+TURNS = [6, 7, 6, 7, 2, 2, 2, 0]
 FLOAT_MAX = (2 - 2**-23) * 2.0**127
 
 
@@ -75,6 +77,22 @@ def decompress(frame, raw_size, place):
     raw = decoder.decompress(frame)
     require(decoder.unused_data == b"" and len(raw) == raw_size, f"{place}: not exactly one frame")
     return raw
+
+
+def from_planes(planes, slots):
+    """Chapter 7, "Planes": the boxes of a page, kernel after kernel."""
+    count = len(planes) // 16
+    kernels = count // slots
+    data = bytearray()
+    for i in range(count):
+        at = i % slots * kernels + i // slots
+        turned = bytearray(16)
+        for plane, byte in enumerate(BYTE_OF_PLANE):
+            turned[byte] = planes[plane * count + at]
+        words = [((w << turn) | (w >> (16 - turn))) & 0xFFFF for w, turn in zip(struct.unpack("<8H", turned), TURNS)]
+        words[2], words[3] = (words[2] - 1) & 0xFFFF, (words[3] - 1) & 0xFFFF
+        data += struct.pack("<8H", *words)
+    return bytes(data)
 
 
 class Ptb:
@@ -126,7 +144,7 @@ class Ptb:
                 require("a" <= name[0] <= "z", f"{name}: unknown", Unsupported)
                 continue
             require(name not in self.chunks, f"{name}: twice")
-            require(codec in ((PAGES,) if name == "PAGE" else (NO_CODEC, ZSTD)), f"{name}: codec", Unsupported)
+            require(codec in ((PAGES, PLANES) if name == "PAGE" else (NO_CODEC, ZSTD)), f"{name}: codec", Unsupported)
             require(codec != NO_CODEC or raw == stored, f"{name}: sizes")
             require(codec != ZSTD or raw <= max(16 << 20, 1024 * stored), f"{name}: expands too far")
             self.chunks[name] = row
@@ -240,8 +258,11 @@ class Ptb:
         frame = self.data[start : start + stored]
         place = f"page {stream} {tile}"
         require(xxh64(frame) == page_hash, f"{place}: hash")
-        rows = [self.slot(place, *slot) for slot in BOX.iter_unpack(decompress(frame, raw, place))]
         boxes = self.tables["TILE"][tile][3 if stream == self.view_count else 2]
+        data = decompress(frame, raw, place)
+        if self.chunks["PAGE"][1] == PLANES:
+            data = from_planes(data, boxes)
+        rows = [self.slot(place, *slot) for slot in BOX.iter_unpack(data)]
         kernels = [rows[first : first + boxes] for first in range(0, len(rows), boxes)]
         self.check_kinds(stream, tile, [[row[0] for row in kernel] for kernel in kernels])
         self.check_emitted(stream, tile, rows[::boxes])

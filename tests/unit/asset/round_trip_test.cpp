@@ -152,7 +152,7 @@ Codec codecOfTexels(const Sample& sample) {
   Codec codec{};
   for (const ChunkEntry& entry : reader.chunks()) {
     EXPECT_EQ(entry.offset % 16, 0u);
-    EXPECT_TRUE(entry.codec == Codec::pages || entry.storedSize <= entry.rawSize);
+    EXPECT_TRUE(isPaged(entry.codec) || entry.storedSize <= entry.rawSize);
     if (entry.type == chunk::kTexels) codec = entry.codec;
   }
   return codec;

@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "common/asset/asset_load.h"
-#include "common/asset/frame_codec.h"
+#include "common/asset/page_codec.h"
 #include "common/base/file.h"
 
 namespace boxlight::asset {
@@ -54,7 +54,7 @@ uint64_t Surgeon::append(std::span<const std::byte> stored) {
 
 void Surgeon::setChunk(uint32_t type, const Bytes& raw) {
   const uint64_t offset = append(raw);
-  const Codec codec = type == chunk::kPages ? Codec::pages : Codec::none;
+  const Codec codec = type == chunk::kPages ? entry(type).codec : Codec::none;
   entry(type) = {type, codec, offset, raw.size(), raw.size(), type == chunk::kPages ? 0 : xxh64(raw)};
 }
 
@@ -76,15 +76,27 @@ void Surgeon::removeChunk(uint32_t type) {
   std::erase_if(table, [&](const ChunkEntry& e) { return e.type == type; });
 }
 
+uint32_t Surgeon::slotsOf(size_t page) const {
+  const Bytes info = chunk(chunk::kInfo), tiles = chunk(chunk::kTiles);
+  Info head;
+  std::memcpy(&head, info.data(), sizeof head);
+  const size_t count = tiles.size() / sizeof(Tile);
+  Tile tile;
+  std::memcpy(&tile, &tiles[page % count * sizeof tile], sizeof tile);
+  return page / count == head.viewCount ? tile.diffuseBoxes : tile.glossyBoxes;
+}
+
 void Surgeon::editBox(size_t index, size_t box, const std::function<void(PackedBox&)>& change) {
   Bytes pages = chunk(chunk::kPages);
   edit<PageEntry>(chunk::kPageIndex, index, [&](PageEntry& page) {
     std::vector<PackedBox> boxes(page.rawSize / sizeof(PackedBox));
     const auto stored = std::span(pages).subspan(page.offset, page.storedSize);
-    EXPECT_TRUE(decompressFrame(stored, std::as_writable_bytes(std::span(boxes))));
+    Bytes planes(page.rawSize);
+    EXPECT_TRUE(decompressFrame(stored, planes));
+    planesToBoxes(planes, slotsOf(index), boxes);
     change(boxes.at(box));
     FrameCompressor compressor;
-    const auto frame = compressor.compress(bytesOf(boxes));
+    const auto frame = compressPage(compressor, boxes, slotsOf(index));
     page = {pages.size(), uint32_t(frame.size()), page.rawSize, xxh64(frame)};
     pages.insert(pages.end(), frame.begin(), frame.end());
   });

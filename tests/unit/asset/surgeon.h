@@ -46,6 +46,7 @@ class Surgeon {
   void write(const std::filesystem::path& path) const;
 
  private:
+  uint32_t slotsOf(size_t page) const;  ///< boxes of each of its kernels
   uint64_t append(std::span<const std::byte> stored);
 
   Bytes body_;  ///< the file from `bodyStart_` on: what was there, then what was added

@@ -21,7 +21,7 @@ TEST(Box, WeightTimesSolidAngleIsEnergy) {
   EXPECT_EQ(Box().weight(), Rgb(0.0f));
 }
 
-TEST(PackedBox, EdgesMoveByAtMostHalfAStepAndEnergyStays) {
+TEST(PackedBox, EdgesMoveByAtMostHalfAStepAndEnergiesByOneIn512) {
   std::mt19937 random(1);
   std::uniform_real_distribution<float> uniform;
   const float half = 0.5f / 65536.0f + 1e-7f;
@@ -36,7 +36,7 @@ TEST(PackedBox, EdgesMoveByAtMostHalfAStepAndEnergyStays) {
     EXPECT_NEAR(back.v0, box.v0, half);
     EXPECT_NEAR(back.v0 + back.dv, box.v0 + box.dv, half);
     EXPECT_LE(back.v0 + back.dv, 1.0f);
-    for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.energy[c], box.energy[c], box.energy[c] / 2048.0f + 3e-8f);
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(back.energy[c], box.energy[c], box.energy[c] / 512.0f + 3e-8f);
   }
 }
 
@@ -64,7 +64,24 @@ TEST(PackedBox, NeverEmptyInSize) {
 }
 
 TEST(PackedBox, HugeEnergyIsClampedNotInfinite) {
-  EXPECT_EQ(unpackBox(packBox(makeBox(0, 0, 1, 1, Rgb(1e9f)))).energy.x, 65504.0f);
+  EXPECT_EQ(unpackBox(packBox(makeBox(0, 0, 1, 1, Rgb(1e9f)))).energy.x, 65408.0f);
+  EXPECT_EQ(unpackBox(packBox(makeBox(0, 0, 1, 1, Rgb(65504)))).energy.x, 65408.0f);
+  EXPECT_EQ(unpackCosineBox(packCosineBox({makeBox(0, 0, 1, 1), -1e9f})).amplitude, -65408.0f);
+}
+
+TEST(PackedBox, EnergiesHaveNineSignificantBitsAndNoBias) {
+  std::mt19937 random(2);
+  std::uniform_real_distribution<float> uniform(0.5f, 1.0f);
+  constexpr int kBoxes = 100000;
+  double sum = 0;
+  for (int i = 0; i < kBoxes; ++i) {
+    const float energy = uniform(random), half = std::round(energy * 2048.0f) / 2048.0f;
+    const PackedBox packed = packBox(makeBox(0, 0, 1, 1, {energy, half, 0}));
+    EXPECT_EQ((packed.energy[0] | packed.energy[1]) & 3, 0);
+    sum += double(unpackBox(packed).energy.y - half);
+  }
+  EXPECT_LT(std::abs(sum / kBoxes), 4 * 5.6e-4 / std::sqrt(double(kBoxes)));  // of half floats, half way, too
+  EXPECT_EQ(unpackBox(packBox(makeBox(0, 0, 1, 1, {1, 0.5f, 1.0f / 512}))).energy, Rgb(1, 0.5f, 1.0f / 512));
 }
 
 TEST(PackedBox, EveryCodeIsABox) {
