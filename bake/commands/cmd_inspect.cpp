@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bake/commands/cmd_inspect.h"
 
+#include <array>
 #include <bit>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -78,9 +79,11 @@ Summary summarise(const AssetReader& reader) {
   return summary;
 }
 
-const char* codecName(asset::Codec codec) {
-  constexpr const char* kNames[] = {"none", "zstd", "pages", "planes"};
-  return kNames[size_t(codec)];
+/// Chunks that a reader skips may have any.
+std::string codecName(asset::Codec codec) {
+  constexpr std::array kNames = {"none", "zstd", "pages", "planes"};
+  const auto number = size_t(codec);
+  return number < kNames.size() ? kNames[number] : fmt::format("codec {}", number);
 }
 
 double ratio(uint64_t value, uint64_t by) { return by ? double(value) / double(by) : 0.0; }

@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "records are read and 
 inline constexpr uint8_t kMagic[8] = {0xAB, 'P', 'T', 'B', '\r', '\n', 0x1A, '\n'};
 inline constexpr uint16_t kMajorVersion = 1;  ///< a reader refuses any other
 /// 1.1 adds MATX, TXFM and kernels with emitted radiance; 1.2 the scheme split with VISI; 1.3 the scheme
-/// cells with CELL; 1.4 cosine boxes.
+/// cells with CELL; 1.4 cosine boxes; 1.5 Codec::planes.
 inline constexpr uint16_t kMinorVersion = 5;
 inline constexpr uint32_t kNone = 0xFFFFFFFFu;
 inline constexpr uint32_t kTileRecords =
@@ -274,7 +274,7 @@ static_assert(sizeof(Tile) == 16);
 /// kernel's place is the number of set bits below r. Absent pages (mask 0) have storedSize = rawSize = 0.
 struct PageEntry {
   uint64_t offset;               ///< from the start of the PAGE chunk
-  uint32_t storedSize, rawSize;  ///< zstd frame; PackedBox[popcount(mask) * boxes]
+  uint32_t storedSize, rawSize;  ///< zstd frame; decoded, PackedBox[popcount(mask) * boxes]
   uint64_t hash;                 ///< xxh64 (seed 0) of the stored bytes
 };
 static_assert(sizeof(PageEntry) == 24);

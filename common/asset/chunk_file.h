@@ -11,7 +11,7 @@
 
 namespace boxlight::asset {
 
-/// Does version 1.4 have a chunk of this type?
+/// Does version 1 have a chunk of this type?
 bool isKnownChunk(uint32_t type);
 /// One of those that a file has only if the table has entries?
 bool isOptionalTable(uint32_t type);

@@ -4,15 +4,22 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <cassert>
 #include <memory>
 #include <new>
+#include <numeric>
 
 namespace boxlight::asset {
 namespace {
 
-// Measured on baked pages, bytes a box and MB/s: level 3 8.97 and 134, level 6 8.90 and 73, level 9 8.88
-// and 34.
+// Measured on baked pages, box by box, bytes a box and MB/s: level 3 8.97 and 134, level 6 8.90 and 73,
+// level 9 8.88 and 34. In planes, too, level 3 takes 2 % more bytes, and 19 less by .7 %.
 constexpr int kLevel = 6;
+
+/// Buffers are large enough and parameters known: memory is all that the library can lack.
+void check(size_t result) {
+  if (ZSTD_isError(result)) throw std::bad_alloc();
+}
 
 ZSTD_DCtx* threadContext() {
   struct Free {
@@ -35,7 +42,7 @@ std::span<const std::byte> FrameCompressor::compress(std::span<const std::byte> 
   buffer_.resize(std::max(buffer_.size(), ZSTD_compressBound(raw.size())));
   const size_t size = ZSTD_compressCCtx(static_cast<ZSTD_CCtx*>(context_), buffer_.data(), buffer_.size(),
                                         raw.data(), raw.size(), kLevel);
-  if (ZSTD_isError(size)) throw std::bad_alloc();  // the buffer is large enough: memory is all it can lack
+  check(size);
   return std::span(buffer_).first(size);
 }
 
@@ -44,16 +51,18 @@ std::span<const std::byte> FrameCompressor::compress(std::span<const std::byte> 
   constexpr size_t kFlushes = 16;  // bytes that an end of a block may add
   auto* const context = static_cast<ZSTD_CCtx*>(context_);
   buffer_.resize(std::max(buffer_.size(), ZSTD_compressBound(raw.size()) + kFlushes * blocks.size()));
-  ZSTD_CCtx_reset(context, ZSTD_reset_session_only);
-  ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel);
-  ZSTD_CCtx_setPledgedSrcSize(context, raw.size());
+  assert(std::accumulate(blocks.begin(), blocks.end(), size_t(0)) == raw.size());
+  check(ZSTD_CCtx_reset(context, ZSTD_reset_session_only));
+  check(ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel));
+  check(ZSTD_CCtx_setPledgedSrcSize(context, raw.size()));
   ZSTD_outBuffer out{buffer_.data(), buffer_.size(), 0};
   ZSTD_inBuffer in{raw.data(), 0, 0};
   for (size_t b = 0; b < blocks.size(); ++b) {
     in.size += blocks[b];
     const size_t left =
         ZSTD_compressStream2(context, &out, &in, b + 1 < blocks.size() ? ZSTD_e_flush : ZSTD_e_end);
-    if (left != 0) throw std::bad_alloc();  // the buffer is large enough: memory is all it can lack
+    check(left);
+    assert(left == 0);  // the buffer is large enough
   }
   return std::span(buffer_).first(out.pos);
 }

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cstring>
 
 namespace boxlight::asset {
@@ -44,6 +45,7 @@ struct PlaneOrder {
 }  // namespace
 
 std::vector<std::byte> boxesToPlanes(std::span<const PackedBox> boxes, uint32_t slots) {
+  assert(slots > 0);
   std::vector<std::byte> planes(boxes.size_bytes());
   const PlaneOrder place{slots, boxes.size() / slots};
   for (size_t i = 0; i < boxes.size(); ++i) {

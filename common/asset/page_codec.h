@@ -22,7 +22,7 @@ void planesToBoxes(std::span<const std::byte> planes, uint32_t slots, std::span<
 
 /// The page as it stands in a file, Codec::planes. Valid until the next call of the same compressor. Planes
 /// that are alike share a block of the frame, so that each kind has Huffman codes of its own. Bytes a box on
-/// baked pages (the demo, 1024 paths): 7.4; in one block 8.0, box by box 9.5.
+/// baked pages (the demo, 1024 paths): 7.4; in one block 7.5, box by box 9.5.
 std::span<const std::byte> compressPage(FrameCompressor& compressor, std::span<const PackedBox> boxes,
                                         uint32_t slots);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/light/box.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <glm/gtc/packing.hpp>
@@ -14,13 +15,15 @@ constexpr float kSteps = 65536.0f;
 
 int roundToStep(float value) { return int(std::lround(double(value) * kSteps)); }
 
+constexpr float kLargestHalf = 65504.0f;
 constexpr float kLargestEnergy = 65408.0f;  ///< of half floats with nine significant bits
 
 /// The nearest half float with nine significant bits, .2 % away at most: what lies beyond is the paths'
 /// noise, which no page compresses.
 uint16_t packEnergy(float energy) {
   constexpr uint32_t kDropped = 15;
-  uint32_t bits = std::bit_cast<uint32_t>(std::clamp(energy, -kLargestEnergy, kLargestEnergy));
+  if (std::isnan(energy)) return glm::packHalf1x16(energy);
+  uint32_t bits = std::bit_cast<uint32_t>(std::min(energy, kLargestEnergy));
   bits += (1u << (kDropped - 1)) - 1 + (bits >> kDropped & 1);  // ties to even
   return glm::packHalf1x16(std::bit_cast<float>(bits >> kDropped << kDropped));
 }
@@ -77,14 +80,13 @@ Rgb unpackEmission(const PackedBox& packed) {
 PackedBox packHiddenPart(float part) {
   PackedBox packed;
   packed.kind = kHiddenPart;
-  packed.energy[0] = packEnergy(part);
+  packed.energy[0] = glm::packHalf1x16(part);
   return packed;
 }
 
 PackedBox packCosineBox(const CosineBox& box) {
-  Box edges = box.box;
-  edges.energy = Rgb(box.amplitude);
-  PackedBox packed = packBox(edges);
+  PackedBox packed = packBox(box.box);
+  std::fill_n(packed.energy, 3, glm::packHalf1x16(std::clamp(box.amplitude, -kLargestHalf, kLargestHalf)));
   packed.kind = kCosineBox;
   return packed;
 }

@@ -26,8 +26,8 @@ inline constexpr uint16_t kEmittedRadiance = 1;  ///< not a box: radiance that d
 inline constexpr uint16_t kHiddenPart = 2;  ///< not a box: how much of a split lobe the kernel stands for
 inline constexpr uint16_t kCosineBox = 3;   ///< of light that reaches a Lambert surface straight
 
-/// A box as it stands in asset pages and in storage buffers: 16 bytes, four little-endian 32-bit words in
-/// GLSL. Normative in docs/format.md, section "Box".
+/// A box as it stands in decoded asset pages and in storage buffers: 16 bytes, four little-endian 32-bit
+/// words in GLSL. Normative in docs/format.md, section "Box".
 struct PackedBox {
   uint16_t u0 = 0, v0 = 0;  ///< edge = code / 65536
   uint16_t du = 0,

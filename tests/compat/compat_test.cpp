@@ -13,6 +13,7 @@ struct Version {
   const char* file;
   uint64_t contentHash;
   SampleSize sample;
+  Codec pages = Codec::pages;
 };
 
 class Compatibility : public ::testing::TestWithParam<Version> {};
@@ -24,6 +25,8 @@ TEST_P(Compatibility, readsAsItDid) {
   for (const Finding& finding : validation.findings) ADD_FAILURE() << finding.message();
   const AssetReader reader(path);
   EXPECT_EQ(reader.asset().provenance["tool"], "sample 1.0");
+  for (const ChunkEntry& entry : reader.chunks())
+    EXPECT_EQ(isPaged(entry.codec) ? entry.codec : GetParam().pages, GetParam().pages);
   EXPECT_EQ(reader.asset().records[4].atlasX, 4u);
   EXPECT_EQ(reader.page(12, 1).size(), 8u);
   EXPECT_EQ(reader.asset().materialExtensions.empty(), !GetParam().sample.extensions);
@@ -47,7 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Version{"version-1.2.ptb", 0xe0cf0c3ba180b77aull, {.split = true}},
                       Version{"version-1.3.ptb", 0x5a174fe6224cc596ull, {.split = true, .cells = true}},
                       Version{"version-1.4.ptb", 0x708ee3641001e4ffull, {.cosine = true}},
-                      Version{"version-1.5.ptb", 0x708ee3641001e4ffull, {.cosine = true}}));
+                      Version{"version-1.5.ptb", 0x708ee3641001e4ffull, {.cosine = true}, Codec::planes}));
 
 }  // namespace
 }  // namespace boxlight::asset

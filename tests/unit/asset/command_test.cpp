@@ -115,6 +115,20 @@ TEST_F(Command, inspectNamesTheSchemeAndCountsVisibilityMaps) {
       << text;
 }
 
+/// A reader skips chunks that it does not know, whatever their codec.
+TEST_F(Command, inspectNamesCodecsThatItDoesNotKnow) {
+  for (const uint32_t codec : {4u, 9u, 0xFFFFFFFFu}) {
+    asset::makeSample().write(file.path);
+    asset::Surgeon surgeon(readFile(file.path));
+    surgeon.addChunk(asset::fourCc("visp"), asset::Bytes(9));
+    surgeon.table.back().codec = asset::Codec(codec);
+    surgeon.write(file.path);
+    const std::string text = run("inspect " + file.path.string()).output;
+    EXPECT_NE(text.find(fmt::format("codec {}", codec)), std::string::npos) << text;
+    EXPECT_EQ(run("inspect " + file.path.string() + " --json").code, ExitCode::ok);
+  }
+}
+
 TEST_F(Command, inspectCountsCells) {
   const auto sketch = nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
   EXPECT_EQ(sketch["cells"], nlohmann::json({{"frequency", 0}, {"count", 0}, {"records", 0}}));

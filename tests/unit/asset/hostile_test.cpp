@@ -20,6 +20,8 @@ std::string nested(int depth) {
   return "{\"a\":" + std::string(size_t(depth), '[') + std::string(size_t(depth), ']') + "}";
 }
 
+constexpr Codec kNoCodec = Codec(uint32_t(Codec::planes) + 1);
+
 const std::vector<Case> kHeadCases = {
     {"majorVersion", majorVersion, [](Surgeon& s) { s.header.majorVersion = 2; }},
     {"majorVersionZero", majorVersion, [](Surgeon& s) { s.header.majorVersion = 0; }},
@@ -48,9 +50,14 @@ const std::vector<Case> kHeadCases = {
     {"missing", chunkMissing, [](Surgeon& s) { s.removeChunk(chunk::kStreamMasks); }},
     {"unknownRequired", chunkUnknown, [](Surgeon& s) { s.addChunk(fourCc("ZZZZ"), Bytes(4)); }},
     {"unknownNotALetter", chunkUnknown, [](Surgeon& s) { s.addChunk(0x1B5B3001, Bytes(4)); }},
-    {"unknownCodec", chunkCodec, inEntry(chunk::kVertices, [](ChunkEntry& e) { e.codec = Codec(3); })},
+    {"unknownCodec", chunkCodec, inEntry(chunk::kVertices, [](ChunkEntry& e) { e.codec = kNoCodec; })},
+    {"unknownCodecTop", chunkCodec,
+     inEntry(chunk::kVertices, [](ChunkEntry& e) { e.codec = Codec(0xFFFFFFFFu); })},
+    {"unknownCodecOfPages", chunkCodec, inEntry(chunk::kPages, [](ChunkEntry& e) { e.codec = kNoCodec; })},
     {"pagedTable", chunkCodec, inEntry(chunk::kVertices, [](ChunkEntry& e) { e.codec = Codec::pages; })},
+    {"tableInPlanes", chunkCodec, inEntry(chunk::kVertices, [](ChunkEntry& e) { e.codec = Codec::planes; })},
     {"unpagedPages", chunkCodec, inEntry(chunk::kPages, [](ChunkEntry& e) { e.codec = Codec::none; })},
+    {"unpagedFrame", chunkCodec, inEntry(chunk::kPages, [](ChunkEntry& e) { e.codec = Codec::zstd; })},
     {"rawSizeOfPlainChunk", chunkSize,
      inEntry(chunk::kInfo, [](ChunkEntry& e) { e.rawSize = uint64_t(1) << 40; })},
     {"bomb", chunkSize,
@@ -210,6 +217,16 @@ const std::vector<Case> kHarmless = {
      [](Surgeon& s) { s.editBox(0, 0, [](PackedBox& b) { b.energy[0] = 0x4900, b.energy[1] = 0x8000; }); }},
 };
 
+/// The same in a file of Codec::pages, as versions up to 1.4 wrote them.
+std::vector<Case> boxByBox(std::vector<Case> cases) {
+  for (Case& c : cases)
+    c.operate = [operate = c.operate](Surgeon& s) {
+      s.setPageCodec(Codec::pages);
+      operate(s);
+    };
+  return cases;
+}
+
 TEST_P(Hostile, endsInAnErrorOfItsKind) {
   const ExitCode expected = findingKind(GetParam().code).exitCode;
   EXPECT_TRUE(validation.count.contains(GetParam().code)) << found();
@@ -232,7 +249,28 @@ TEST_P(Harmless, isReadAndMentioned) {
 INSTANTIATE_TEST_SUITE_P(Head, Hostile, ::testing::ValuesIn(kHeadCases), kCaseName);
 INSTANTIATE_TEST_SUITE_P(Table, Hostile, ::testing::ValuesIn(kTableCases), kCaseName);
 INSTANTIATE_TEST_SUITE_P(Page, Hostile, ::testing::ValuesIn(kPageCases), kCaseName);
+INSTANTIATE_TEST_SUITE_P(PageOfBoxes, Hostile, ::testing::ValuesIn(boxByBox(kPageCases)), kCaseName);
 INSTANTIATE_TEST_SUITE_P(File, Harmless, ::testing::ValuesIn(kHarmless), kCaseName);
+
+TEST(Validate, eitherLayoutOfPagesIsTheSameAsset) {
+  const TemporaryFile planes, boxes;
+  makeSample({.records = 70, .recordsPerTile = 64}).write(planes.path);
+  Surgeon surgeon(readFile(planes.path));
+  surgeon.setPageCodec(Codec::pages);
+  surgeon.write(boxes.path);
+  EXPECT_EQ(contentHash(planes.path), contentHash(boxes.path));
+  EXPECT_EQ(validateAsset(boxes.path).exitCode(), ExitCode::ok);
+}
+
+/// The codec is no matter of taste: boxes read as planes are other boxes.
+TEST(Validate, pagesUnderTheOtherCodecAreNotTheSame) {
+  const TemporaryFile right, wrong;
+  makeSample().write(right.path);
+  Surgeon surgeon(readFile(right.path));
+  surgeon.entry(chunk::kPages).codec = Codec::pages;
+  surgeon.write(wrong.path);
+  EXPECT_NE(validateAsset(wrong.path).exitCode(), ExitCode::ok);
+}
 
 TEST(Validate, findsMoreThanTheFirst) {
   const TemporaryFile file;

@@ -35,16 +35,12 @@ TEST(PageCodec, GivesBackAnyBox) {
   }
 }
 
-/// The document's own words (docs/format.md, "Planes"), for one kernel of two boxes.
+/// The example of docs/format.md, "Planes", and an empty box behind it.
 TEST(PageCodec, LaysBytesOutAsTheDocumentSays) {
-  const PackedBox boxes[2] = {{64, 128, 63, 127, {4, 8, 1024}, 3}, {}};
+  const PackedBox boxes[2] = {{64, 2 * 128, 3 * 64 - 1, 4 * 128 - 1, {4, 8, 1024}, 3}, {}};
   const std::vector<std::byte> planes = boxesToPlanes(boxes, 2);
-  const auto first = [&](size_t plane) { return int(planes[2 * plane]); };
-  EXPECT_EQ(first(0), 3) << "kind, low";
-  for (const size_t edge : {6, 7, 8, 9}) EXPECT_EQ(first(edge), 1) << "u0, v0, width, height, low";
-  EXPECT_EQ(first(13), 1) << "red, low";
-  EXPECT_EQ(first(14), 2) << "green, low";
-  EXPECT_EQ(first(12), 1) << "blue, high";
+  const int expected[16] = {3, 0, 0, 0, 0, 0, 1, 2, 3, 4, 0, 0, 1, 1, 2, 0};
+  for (size_t plane = 0; plane < 16; ++plane) EXPECT_EQ(int(planes[2 * plane]), expected[plane]) << plane;
   EXPECT_EQ(int(planes[2 * 4 + 1]), 4) << "a width of one step is bit 10: 1 turned right by 6";
 }
 
@@ -71,6 +67,29 @@ TEST(PageCodec, APageIsOneFrameInBlocksOrNot) {
     const auto again = compressPage(compressor, boxes, 4);
     EXPECT_TRUE(std::equal(once.begin(), once.end(), again.begin(), again.end())) << "same bytes";
   }
+}
+
+/// How many blocks a zstd frame with a content size and no checksum has (RFC 8878, section 3.1.1).
+size_t blocksOf(std::span<const std::byte> frame) {
+  const auto byte = [&](size_t i) { return uint32_t(frame[i]); };
+  const uint32_t descriptor = byte(4);
+  const size_t sizeBytes = descriptor >> 6 ? size_t(1) << (descriptor >> 6) : descriptor >> 5 & 1;
+  size_t at = 5 + (descriptor >> 5 & 1 ? 0 : 1) + sizeBytes, blocks = 0;
+  for (bool last = false; !last; ++blocks) {
+    const uint32_t head = byte(at) | byte(at + 1) << 8 | byte(at + 2) << 16;
+    last = head & 1;
+    at += 3 + ((head >> 1 & 3) == 1 ? 1 : head >> 3);  // an RLE block is one byte
+  }
+  EXPECT_EQ(at, frame.size());
+  return blocks;
+}
+
+TEST(PageCodec, PagesOf64BoxesAndMoreHaveABlockForEachKindOfPlane) {
+  FrameCompressor compressor;
+  const std::vector<PackedBox> boxes = randomBoxes(128);
+  EXPECT_EQ(blocksOf(compressPage(compressor, std::span(boxes).first(63), 3)), 1u);
+  EXPECT_EQ(blocksOf(compressPage(compressor, std::span(boxes).first(64), 4)), 4u);
+  EXPECT_EQ(blocksOf(compressPage(compressor, boxes, 4)), 4u);
 }
 
 TEST(PageCodec, NoSlotsNoBoxes) { planesToBoxes({}, 0, {}); }

@@ -152,6 +152,7 @@ Codec codecOfTexels(const Sample& sample) {
   Codec codec{};
   for (const ChunkEntry& entry : reader.chunks()) {
     EXPECT_EQ(entry.offset % 16, 0u);
+    EXPECT_EQ(entry.codec == Codec::planes, entry.type == chunk::kPages);
     EXPECT_TRUE(isPaged(entry.codec) || entry.storedSize <= entry.rawSize);
     if (entry.type == chunk::kTexels) codec = entry.codec;
   }

@@ -86,20 +86,50 @@ uint32_t Surgeon::slotsOf(size_t page) const {
   return page / count == head.viewCount ? tile.diffuseBoxes : tile.glossyBoxes;
 }
 
+std::vector<PackedBox> Surgeon::decodePage(size_t index, std::span<const std::byte> stored,
+                                           size_t rawSize) const {
+  std::vector<PackedBox> boxes(rawSize / sizeof(PackedBox));
+  Bytes raw(rawSize);
+  EXPECT_TRUE(decompressFrame(stored, raw));
+  if (pageCodec() == Codec::planes)
+    planesToBoxes(raw, slotsOf(index), boxes);
+  else
+    std::memcpy(boxes.data(), raw.data(), rawSize);
+  return boxes;
+}
+
+PageEntry Surgeon::addPage(Bytes& pages, size_t index, std::span<const PackedBox> boxes) const {
+  FrameCompressor compressor;
+  const auto frame = pageCodec() == Codec::planes ? compressPage(compressor, boxes, slotsOf(index))
+                                                  : compressor.compress(std::as_bytes(boxes));
+  pages.insert(pages.end(), frame.begin(), frame.end());
+  return {pages.size() - frame.size(), uint32_t(frame.size()), uint32_t(boxes.size_bytes()), xxh64(frame)};
+}
+
 void Surgeon::editBox(size_t index, size_t box, const std::function<void(PackedBox&)>& change) {
   Bytes pages = chunk(chunk::kPages);
   edit<PageEntry>(chunk::kPageIndex, index, [&](PageEntry& page) {
-    std::vector<PackedBox> boxes(page.rawSize / sizeof(PackedBox));
-    const auto stored = std::span(pages).subspan(page.offset, page.storedSize);
-    Bytes planes(page.rawSize);
-    EXPECT_TRUE(decompressFrame(stored, planes));
-    planesToBoxes(planes, slotsOf(index), boxes);
+    auto boxes = decodePage(index, std::span(pages).subspan(page.offset, page.storedSize), page.rawSize);
     change(boxes.at(box));
-    FrameCompressor compressor;
-    const auto frame = compressPage(compressor, boxes, slotsOf(index));
-    page = {pages.size(), uint32_t(frame.size()), page.rawSize, xxh64(frame)};
-    pages.insert(pages.end(), frame.begin(), frame.end());
+    page = addPage(pages, index, boxes);
   });
+  setChunk(chunk::kPages, pages);
+}
+
+void Surgeon::setPageCodec(Codec codec) {
+  const Bytes old = chunk(chunk::kPages);
+  std::vector<std::vector<PackedBox>> decoded;
+  const size_t count = chunk(chunk::kPageIndex).size() / sizeof(PageEntry);
+  for (size_t i = 0; i < count; ++i)
+    edit<PageEntry>(chunk::kPageIndex, i, [&](PageEntry& page) {
+      const auto stored = std::span(old).subspan(page.offset, page.storedSize);
+      decoded.push_back(stored.empty() ? std::vector<PackedBox>() : decodePage(i, stored, page.rawSize));
+    });
+  entry(chunk::kPages).codec = codec;
+  Bytes pages;
+  for (size_t i = 0; i < count; ++i)
+    if (!decoded[i].empty())
+      edit<PageEntry>(chunk::kPageIndex, i, [&](PageEntry& page) { page = addPage(pages, i, decoded[i]); });
   setChunk(chunk::kPages, pages);
 }
 

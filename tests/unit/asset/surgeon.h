@@ -42,11 +42,16 @@ class Surgeon {
   }
   /// Edits one box of the page at `index` of the page index.
   void editBox(size_t index, size_t box, const std::function<void(PackedBox&)>& change);
+  /// Stores all pages anew.
+  void setPageCodec(Codec codec);
 
   void write(const std::filesystem::path& path) const;
 
  private:
   uint32_t slotsOf(size_t page) const;  ///< boxes of each of its kernels
+  Codec pageCodec() const { return const_cast<Surgeon*>(this)->entry(chunk::kPages).codec; }
+  std::vector<PackedBox> decodePage(size_t index, std::span<const std::byte> stored, size_t rawSize) const;
+  PageEntry addPage(Bytes& pages, size_t index, std::span<const PackedBox> boxes) const;
   uint64_t append(std::span<const std::byte> stored);
 
   Bytes body_;  ///< the file from `bodyStart_` on: what was there, then what was added

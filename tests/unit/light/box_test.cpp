@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -66,7 +67,7 @@ TEST(PackedBox, NeverEmptyInSize) {
 TEST(PackedBox, HugeEnergyIsClampedNotInfinite) {
   EXPECT_EQ(unpackBox(packBox(makeBox(0, 0, 1, 1, Rgb(1e9f)))).energy.x, 65408.0f);
   EXPECT_EQ(unpackBox(packBox(makeBox(0, 0, 1, 1, Rgb(65504)))).energy.x, 65408.0f);
-  EXPECT_EQ(unpackCosineBox(packCosineBox({makeBox(0, 0, 1, 1), -1e9f})).amplitude, -65408.0f);
+  EXPECT_EQ(unpackCosineBox(packCosineBox({makeBox(0, 0, 1, 1), -1e9f})).amplitude, -65504.0f);
 }
 
 TEST(PackedBox, EnergiesHaveNineSignificantBitsAndNoBias) {
@@ -82,6 +83,13 @@ TEST(PackedBox, EnergiesHaveNineSignificantBitsAndNoBias) {
   }
   EXPECT_LT(std::abs(sum / kBoxes), 4 * 5.6e-4 / std::sqrt(double(kBoxes)));  // of half floats, half way, too
   EXPECT_EQ(unpackBox(packBox(makeBox(0, 0, 1, 1, {1, 0.5f, 1.0f / 512}))).energy, Rgb(1, 0.5f, 1.0f / 512));
+}
+
+TEST(PackedBox, NoNumberStaysNone) {
+  for (const uint32_t bits : {0x7FFFFFFFu, 0xFFFFFFFFu, 0x7FC00000u, 0x7F800001u, 0xFF800000u}) {
+    const float energy = unpackBox(packBox(makeBox(0, 0, 1, 1, Rgb(std::bit_cast<float>(bits))))).energy.x;
+    EXPECT_FALSE(energy >= 0) << bits;
+  }
 }
 
 TEST(PackedBox, EveryCodeIsABox) {
