@@ -127,7 +127,7 @@ void tryDirect(const KernelPaths& paths, const std::vector<ProbeLight>& lights, 
 }
 
 /// With as many boxes for what is hidden as a bake has, and with others.
-void trySplit(const SplitTexel& texel, const std::vector<uint32_t>& frequencies, Row about, Sample& sample) {
+void trySplit(SplitTexel& texel, const MeasureOptions& options, Row about, Sample& sample) {
   about.terms = kLobeBoxes;
   const auto add = [&](std::string method, Radiances radiances) {
     about.method = std::move(method);
@@ -135,7 +135,10 @@ void trySplit(const SplitTexel& texel, const std::vector<uint32_t>& frequencies,
   };
   add("split", texel.byViews(KernelOptions{}.hiddenBoxes(false)));
   for (const uint32_t boxes : {1u, 2u, 4u}) add(fmt::format("split, {} hidden", boxes), texel.byViews(boxes));
-  for (const uint32_t frequency : frequencies)
+  for (const uint32_t frequency : options.views)
+    add(fmt::format("split, {} views", ViewSphere(frequency).viewCount()),
+        texel.byViews(KernelOptions{}.hiddenBoxes(false), frequency));
+  for (const uint32_t frequency : options.cells)
     add(fmt::format("cells, {} directions", 10 * frequency * frequency + 2),
         texel.byCells(frequency, KernelOptions{}.hiddenBoxes(true)));
 }
@@ -158,8 +161,8 @@ std::vector<Row> measureBetween(const LabScene& scene, Gloss gloss, const std::v
     KernelPaths paths;
     scene.trace(subjects[subject], gloss, direction, 0x40000u + uint32_t(i), options.paths, paths);
     tryDirect(paths, lights, about, samples[i]);
-    const SplitTexel texel(scene, subjects[subject], direction, lights, options.paths);
-    trySplit(texel, options.cells, about, samples[i]);
+    SplitTexel texel(scene, subjects[subject], direction, lights, options.paths);
+    trySplit(texel, options, about, samples[i]);
   });
   for (const uint32_t boxes : options.boxes) {
     const Baked baked = bake(scene, subjects, boxes, options.paths);

@@ -9,7 +9,8 @@
 namespace boxlight::accuracy {
 namespace {
 
-constexpr uint32_t kLobeStream = 0x50000u, kMapStream = 0x60000u, kCellStream = 0x70000u;
+constexpr uint32_t kLobeStream = 0x50000u, kMapStream = 0x60000u, kCellStream = 0x70000u,
+                   kViewStream = 0x80000u;
 
 dvec3 meanLight(const SummedArea& light, const Rectangle& rectangle) {
   return light.integrate(rectangle) / rectangle.solidAngle();
@@ -38,8 +39,6 @@ SplitTexel::SplitTexel(const LabScene& scene, const Subject& subject, vec3 direc
     for (const ProbeLight& light : lights)
       pixels_[pixel].push_back(seeLobe(own, visibility, cells, light.area));
   }
-  for (const uint32_t view : scene.sphere().locate(direction).view)
-    scene.trace(subject, Gloss::sharp, scene.sphere().directions()[view], view, paths, viewPaths_[view]);
 }
 
 /// As if nothing stood around.
@@ -68,9 +67,18 @@ SplitTexel::Stored SplitTexel::around(const ViewSphere& sphere, vec3 direction, 
   return sum;
 }
 
-Radiances SplitTexel::byViews(uint32_t boxes) const {
-  const Stored stored = around(scene_.sphere(), direction_, [&](uint32_t view) -> Stored {
-    KernelPaths paths = viewPaths_.at(view);
+const KernelPaths& SplitTexel::pathsOf(const ViewSphere& sphere, uint32_t view) {
+  const auto [place, isNew] = viewPaths_.try_emplace({sphere.viewCount(), view});
+  const bool usual = sphere.viewCount() == scene_.sphere().viewCount();
+  const uint32_t stream = usual ? view : kViewStream + 512 * sphere.viewCount() + view;
+  if (isNew) scene_.trace(subject_, Gloss::sharp, sphere.directions()[view], stream, paths_, place->second);
+  return place->second;
+}
+
+Radiances SplitTexel::byViews(uint32_t boxes, uint32_t frequency) {
+  const ViewSphere sphere(frequency);
+  const Stored stored = around(sphere, direction_, [&](uint32_t view) -> Stored {
+    KernelPaths paths = pathsOf(sphere, view);
     const double part = paths.hiddenPart();
     if (part < double(KernelOptions::kLeastHiddenPart)) return {};
     paths.removeMirrored();

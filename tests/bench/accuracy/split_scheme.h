@@ -19,9 +19,9 @@ class SplitTexel {
   SplitTexel(const LabScene& scene, const Subject& subject, vec3 direction,
              const std::vector<ProbeLight>& lights, uint32_t paths);
 
-  /// With kernels of this many boxes for the three nearest views; those that hide less than
-  /// KernelOptions::kLeastHiddenPart have none.
-  Radiances byViews(uint32_t boxes) const;
+  /// With kernels of this many boxes for the three nearest views of a sphere of this frequency (3: 92); those
+  /// that hide less than KernelOptions::kLeastHiddenPart have none.
+  Radiances byViews(uint32_t boxes, uint32_t frequency = 3);
   /// With kernels for the directions of a geodesic sphere.
   Radiances byCells(uint32_t frequency, uint32_t boxes) const;
 
@@ -33,6 +33,7 @@ class SplitTexel {
   using StoredAt = std::function<Stored(uint32_t vertex)>;
   static Stored around(const ViewSphere& sphere, vec3 direction, const StoredAt& at);
   GgxLobe lobe(vec3 direction, uint32_t pixel) const;
+  const KernelPaths& pathsOf(const ViewSphere& sphere, uint32_t view);
   Radiances relight(const std::function<Stored(const SeenLobe&)>& stored) const;
 
   const LabScene& scene_;
@@ -42,8 +43,8 @@ class SplitTexel {
   uint32_t paths_;
   PathOrigin origin_;
   VisibilityMap map_;
-  std::vector<std::vector<SeenLobe>> pixels_;  ///< under each light
-  std::map<uint32_t, KernelPaths> viewPaths_;
+  std::vector<std::vector<SeenLobe>> pixels_;                       ///< under each light
+  std::map<std::pair<uint32_t, uint32_t>, KernelPaths> viewPaths_;  ///< by number of views, and view
 };
 
 }  // namespace boxlight::accuracy
