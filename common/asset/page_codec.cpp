@@ -19,7 +19,7 @@ constexpr std::array<size_t, 4> kGroups = {6, 4, 3, 3};
 constexpr size_t kLeastInBlocks = 64;  ///< boxes; in smaller pages the blocks' heads cost more than they save
 
 /// Bits that words are turned right by: edges lie on a raster of 1/1024 in u and 1/512 in v (a fitter's), of
-/// energies the last two bits are 0 (packBox).
+/// energies of light boxes the last two bits are 0 (packBox).
 constexpr std::array<int, kWords> kTurns = {6, 7, 6, 7, 2, 2, 2, 0};
 constexpr size_t kWidth = 2, kHeight = 3;  ///< stored less 1, turned as they are
 

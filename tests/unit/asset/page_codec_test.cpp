@@ -92,7 +92,12 @@ TEST(PageCodec, PagesOf64BoxesAndMoreHaveABlockForEachKindOfPlane) {
   EXPECT_EQ(blocksOf(compressPage(compressor, boxes, 4)), 4u);
 }
 
-TEST(PageCodec, NoSlotsNoBoxes) { planesToBoxes({}, 0, {}); }
+/// It has failed if it divides by zero.
+TEST(PageCodec, ATileWithoutSlotsHasNoBoxes) {
+  std::vector<PackedBox> boxes;
+  planesToBoxes({}, 0, boxes);
+  EXPECT_TRUE(boxes.empty());
+}
 
 }  // namespace
 }  // namespace boxlight::asset
