@@ -87,7 +87,7 @@ CoatLayer coatLayer(MaterialExtension extension, ExtensionTextures textures, Sur
   vec2 albedo = specularAlbedo(roughness, nDotV);
   coat.weight = clearcoat * (0.04 + 0.96 * squared * squared * grazing);
   coat.albedo = albedo.x + albedo.y;
-  if (kSplit) coat.lobe = coatLobe(roughness, normal, toEye);
+  if (kSplit) coat.lobe = coatLobe(roughness, normal, toEye, point.turn);
   return coat;
 }
 

@@ -16,8 +16,8 @@ layout(std430, binding = kBindShaded) readonly buffer Shaded { vec4 shaded[]; };
 /// Records whose hidden part depends on where the pixel's lobe points.
 struct FilteredCells {
   uint count;
-  uint record[4];
-  float weight[4];  // among the records with split lobes
+  uint record[kMaxCorners];
+  float weight[kMaxCorners];  // among the records with split lobes
 };
 
 /// What arrives at an atlas position, demodulated: all of it from records whose lobes are whole; from the others what their hidden
@@ -73,10 +73,10 @@ void normalizeFilter(float total, inout FilteredRadiance sum) {
   sum.split *= scale;
 }
 
-/// The mean over those of the four records that were shaded. (All that exist were marked; should two shaders round a position to
+/// The mean over those of the records around that were shaded. (All that exist were marked; should two shaders round a position to
 /// different texels, the filter shrinks instead of reading what was never written.)
-FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy, Bend bend) {
-  AtlasCorners corners = atlasCorners(uv, front);
+FilteredRadiance filterShaded(AtlasPlace place, bool front, bool withGlossy, Bend bend) {
+  AtlasCorners corners = atlasCorners(place, front);
   FilteredRadiance sum;
   sum.diffuse = sum.glossy = vec3(0.0);
   sum.split = 0.0;
@@ -85,7 +85,7 @@ FilteredRadiance filterShaded(vec2 uv, bool front, bool withGlossy, Bend bend) {
   sum.maps.hiddenBlocks = uvec4(0);
   sum.cells.count = 0;
   float total = 0.0;
-  for (int k = 0; k < 4; ++k) {
+  for (uint k = 0; k < corners.count; ++k) {
     uint r = corners.record[k];
     if (r == kAbsent || marks[r] == 0) continue;
     float weight = corners.weight[k];

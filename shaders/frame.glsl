@@ -9,6 +9,7 @@ layout(std430, binding = kBindTables) readonly buffer Tables { float tables[]; }
 layout(binding = kBindTableTexels) uniform samplerBuffer tableTexels;
 
 layout(constant_id = kConstantTexelBuffers) const bool kTexelBuffers = true;
+layout(constant_id = kConstantLevels) const bool kLevels = true;
 
 float tableAt(uint i) { return kTexelBuffers ? texelFetch(tableTexels, int(i)).x : tables[i]; }
 

@@ -24,7 +24,7 @@ struct Kernel {
 
 Kernel findKernel(uint stream, GpuRecord record, uint boxes) {
   PageSlot page = pageTable[stream * frame.tileCount + record.tile];
-  uint slot = record.slot & ~kRecordHasCells;
+  uint slot = record.slot & kRecordSlot;
   bool upper = slot >= 32;
   uint bit = 1u << (slot & 31u);
   uint rank = bitCount((upper ? page.maskHigh : page.maskLow) & (bit - 1)) + (upper ? bitCount(page.maskLow) : 0);

@@ -9,8 +9,8 @@
 /// The maps around a pixel; their weights sum to 1.
 struct FilteredMaps {
   uint count;
-  uint map[4];  // of the rows
-  float weight[4];
+  uint map[kMaxCorners];  // of the rows
+  float weight[kMaxCorners];
   uvec4 hiddenBlocks;  // of any of them
 };
 

@@ -10,7 +10,7 @@ layout(local_size_x = kPixelGroup, local_size_y = kPixelGroup) in;
 layout(std430, binding = kBindMarks) buffer Marks { uint marks[]; };
 
 void markRecords(AtlasCorners corners, uint mark) {
-  for (int k = 0; k < 4; ++k) {
+  for (uint k = 0; k < corners.count; ++k) {
     uint r = corners.record[k];
     if (r == kAbsent) continue;
     if (kOtherSide)
@@ -23,10 +23,10 @@ void markRecords(AtlasCorners corners, uint mark) {
 void markTriangle(uint index, vec2 position) {
   uvec4 triangle = triangles[index];
   Plane plane = loadPlane(triangle.xyz);
-  vec2 uv = interpolate2(triangle.xyz, hitWeights(plane, rayDirection(position)), kAtlasUvAt);
+  AtlasPlace place = atlasPlace(triangle.xyz, hitWeights(plane, rayDirection(position)), planeSteps(plane, position));
   bool front = seesFront(plane);
-  markRecords(atlasCorners(uv, front), kMarkSeen);
-  if (kOtherSide && showsOtherSide(triangle.w)) markRecords(atlasCorners(uv, !front), kMarkLambert);
+  markRecords(atlasCorners(place, front), kMarkSeen);
+  if (kOtherSide && showsOtherSide(triangle.w)) markRecords(atlasCorners(place, !front), kMarkLambert);
 }
 
 void markFragment(uvec2 pixel, Fragment fragment) {

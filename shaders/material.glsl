@@ -37,6 +37,7 @@ layout(std430, binding = kBindTextureTransforms) readonly buffer TextureTransfor
 struct SurfacePoint {
   uvec3 vertices;
   vec3 weight, weightDx, weightDy;  // barycentric
+  NormalTurn turn;  // over what the point stands for
 };
 
 /// The linear part of a reference's transform, and its offset.
@@ -69,7 +70,7 @@ vec4 sampleRef(TextureRef ref, SurfacePoint point, vec4 absent) {
 
 /// Coverage at full resolution, whatever the distance: minified coverage would fade thin things away.
 float sampleAlpha(Material material, uvec3 vertices, vec3 weight) {
-  SurfacePoint point = SurfacePoint(vertices, weight, weight, weight);
+  SurfacePoint point = SurfacePoint(vertices, weight, weight, weight, NormalTurn(vec3(0.0), vec2(0.0)));
   float color = interpolate2(vertices, weight, kColorAt + 2).y;
   return material.baseColor.a * color * sampleRef(material.baseColorTexture, point, vec4(1.0)).a;
 }

@@ -69,4 +69,35 @@ vec3 hitWeights(Plane plane, vec3 direction) {
   return weight / (weight.x + weight.y + weight.z);
 }
 
+/// How barycentric weights change from a pixel to the next in x and in y.
+struct PlaneSteps {
+  vec3 dx, dy;
+};
+
+PlaneSteps planeSteps(Plane plane, vec2 position) {
+  vec3 at = planeWeights(plane, rayDirection(position));
+  return PlaneSteps(planeWeights(plane, rayDirection(position + vec2(1.0, 0.0))) - at,
+                    planeWeights(plane, rayDirection(position + vec2(0.0, 1.0))) - at);
+}
+
+/// How the interpolated normal turns inside a pixel: its variance along a direction of its plane, the larger one, and across.
+struct NormalTurn {
+  vec3 along;  // not of unit length, 0 if it does not turn
+  vec2 variance;
+};
+
+/// Of a share of the pixel's area. A square of side 1 has a variance of 1/12 each way.
+NormalTurn normalTurn(uvec3 vertices, vec3 weight, PlaneSteps steps, float share) {
+  vec3 normal = interpolate3(vertices, weight, kNormalAt), dx = interpolate3(vertices, steps.dx, kNormalAt),
+       dy = interpolate3(vertices, steps.dy, kNormalAt);
+  float scale = 1.0 / max(dot(normal, normal), 1e-12);
+  dx -= dot(dx, normal) * scale * normal;
+  dy -= dot(dy, normal) * scale * normal;
+  float xx = dot(dx, dx), yy = dot(dy, dy), xy = dot(dx, dy), mean = 0.5 * (xx + yy), difference = 0.5 * (xx - yy);
+  float spread = sqrt(difference * difference + xy * xy);
+  // The eigenvector of the larger variance, in whichever of its two forms is the longer one.
+  vec3 along = difference >= 0.0 ? (spread + difference) * dx + xy * dy : xy * dx + (spread - difference) * dy;
+  return NormalTurn(along, vec2(mean + spread, max(mean - spread, 0.0)) * scale * share / 12.0);
+}
+
 #endif

@@ -59,30 +59,30 @@ vec3 glossyRadiance(FilteredRadiance seen, Reflectance factors) {
   return seen.split > 0.0 ? whole + seen.split * split : whole;
 }
 
-/// Towards the eye, of the plane of a triangle where the ray through a pixel position meets it.
-vec3 surfaceRadiance(uint index, vec2 position) {
+/// Towards the eye, of the plane of a triangle where the ray through a pixel position meets it; of a share of the pixel's area.
+vec3 surfaceRadiance(uint index, vec2 position, float share) {
   uvec4 triangle = triangles[index];
   Plane plane = loadPlane(triangle.xyz);
   vec3 direction = rayDirection(position);
   SurfacePoint point;
   point.vertices = triangle.xyz;
   point.weight = hitWeights(plane, direction);
-  if (kTextured) {
-    point.weightDx = planeWeights(plane, rayDirection(position + vec2(1.0, 0.0)));
-    point.weightDy = planeWeights(plane, rayDirection(position + vec2(0.0, 1.0)));
-  }
+  PlaneSteps steps = planeSteps(plane, position);
+  point.weightDx = point.weight + steps.dx;
+  point.weightDy = point.weight + steps.dy;
+  if (kSplit) point.turn = normalTurn(triangle.xyz, point.weight, steps, share);
   bool front = seesFront(plane);
   vec3 normal = shadingNormal(materials[triangle.w], point) * (front ? 1.0 : -1.0);
   Reflectance factors = reflectance(triangle.w, point, front, normal, -normalize(direction));
   Bend bend = Bend(materials[triangle.w].normalTexture.texture != kAbsent, normal);
-  vec2 uv = interpolate2(triangle.xyz, point.weight, kAtlasUvAt);
-  FilteredRadiance seen = filterShaded(uv, front, kGlossy && factors.glossy != vec3(0.0), bend);
+  AtlasPlace place = atlasPlace(triangle.xyz, point.weight, steps);
+  FilteredRadiance seen = filterShaded(place, front, kGlossy && factors.glossy != vec3(0.0), bend);
   vec3 radiance = factors.diffuse * seen.diffuse;
   if (kGlossy) radiance += glossyRadiance(seen, factors);
   if (kOtherSide && showsOtherSide(triangle.w)) {
     // What a medium scatters does not come straight from the light.
     bend = Bend(bend.bends && (materials[triangle.w].flags & kVolume) == 0, -normal);
-    radiance += factors.transmitted * filterShaded(uv, !front, false, bend).diffuse;
+    radiance += factors.transmitted * filterShaded(place, !front, false, bend).diffuse;
   }
   return kExtended ? radiance + factors.emission : radiance;
 }
@@ -108,11 +108,13 @@ void layerWeights(uvec2 pixel, Fragment fragment, inout float weight[kWeights]) 
   }
 }
 
+float samplesOfPixel() { return float(frame.samples * frame.samples); }
+
 /// Radiance and coverage where a triangle, or with 0 the background, is seen.
-vec4 seenRadiance(uint triangle, vec2 position) {
+vec4 seenRadiance(uint triangle, vec2 position, float share) {
   vec4 seen = vec4(0.0);
   if (triangle != 0)
-    seen = vec4(surfaceRadiance(triangle - 1, position), 1.0);
+    seen = vec4(surfaceRadiance(triangle - 1, position, share), 1.0);
   else if (kBackground)
     seen = vec4(backgroundRadiance(rayDirection(position)), 1.0);
   return seen;
@@ -129,7 +131,7 @@ vec4 layeredRadiance(uvec2 pixel, Fragment fragment) {
     uint triangle = layer < layerCount() ? loadLayer(layer, sampleIndex(pixel, fragment.first)).x : 0;
     last = triangle == 0;
     float share = weight[last ? kLayers : layer];
-    if (share > 0.0) sum += share * seenRadiance(last ? fragment.triangle : triangle, fragment.position);
+    if (share > 0.0) sum += share * seenRadiance(last ? fragment.triangle : triangle, fragment.position, share / samplesOfPixel());
     ++layer;
   } while (!last);
   return sum;
@@ -147,8 +149,8 @@ void main() {
       if (kLayers > 0)
         sum += layeredRadiance(pixel, fragment);
       else
-        sum += float(fragment.samples) * seenRadiance(fragment.triangle, fragment.position);
+        sum += float(fragment.samples) * seenRadiance(fragment.triangle, fragment.position, float(fragment.samples) / samplesOfPixel());
     }
   } while (pending != uvec2(0));
-  picture[pixel.y * tile.size.x + pixel.x] = sum / float(frame.samples * frame.samples);
+  picture[pixel.y * tile.size.x + pixel.x] = sum / samplesOfPixel();
 }

@@ -88,7 +88,9 @@ GlossyKernels findGlossy(GpuRecord record) {
   vec3 towards = frame.eye.xyz - record.position;
   float distance = length(towards);
   vec3 view = distance > 0.0 ? towards / distance : record.normal;
-  ViewBlend blend = locateView(raiseAboveHorizon(view, record.normal, kHorizonCosine), 0, frame.viewTriangles);
+  uint sphere = record.slot >> kRecordSphereShift & 3u;
+  ViewBlend blend = locateView(raiseAboveHorizon(view, record.normal, kHorizonCosine), frame.sphereStart[sphere],
+                               frame.sphereTriangles[sphere]);
   kernels.emitting = false;
   for (int k = 0; k < 3; ++k) {
     kernels.of[k] = findKernel(blend.view[k], record, kernels.slots);

@@ -25,12 +25,12 @@ SHARED_CONSTANT kBindMaterials = 3;            // asset::Material
 SHARED_CONSTANT kBindTextures = 4;             // TextureHeader
 SHARED_CONSTANT kBindTextureLevels = 5;        // TextureLevel
 SHARED_CONSTANT kBindTexels = 6;               // RGBA8
-SHARED_CONSTANT kBindAtlas = 7;                // asset::AtlasTexel
+SHARED_CONSTANT kBindAtlas = 7;                // asset::AtlasTexel, level after level
 SHARED_CONSTANT kBindRecords = 8;              // GpuRecord
 SHARED_CONSTANT kBindTiles = 9;                // asset::Tile
 SHARED_CONSTANT kBindPageTable = 10;           // PageSlot[streamCount][tileCount]
 SHARED_CONSTANT kBindBoxPools = 11;            // kMaxBoxPools bindings of asset::PackedBox
-SHARED_CONSTANT kBindViews = 15;               // ViewTriangle of the view sphere, then of the cells'
+SHARED_CONSTANT kBindViews = 15;               // ViewTriangle of the view sphere, of the cells', of the coarse views'
 SHARED_CONSTANT kBindSummedArea = 16;          // of the light: see kConstantExactSums
 SHARED_CONSTANT kBindLayers = 17;              // LayerHeader, then uvec2[layer][sample]: triangle + 1, alpha
 SHARED_CONSTANT kBindLayerDepths = 18;         // floats[2][sample]: of the opaque triangle, of the last layer
@@ -99,7 +99,8 @@ SHARED_CONSTANT kConstantEmitters = 17;      // has any resident kernel emitted 
 SHARED_CONSTANT kConstantWeights = 18;  // between the views boxes have the mean weight, not the mean energy
 SHARED_CONSTANT kConstantLambert = 19;  // any Lambert kernel
 SHARED_CONSTANT kConstantWide = 20;     // any lobe that is split and wide (wide_lobe.h)
-SHARED_CONSTANT kSurfaceConstants = 21;
+SHARED_CONSTANT kConstantLevels = 21;   // coarser levels of the atlas
+SHARED_CONSTANT kSurfaceConstants = 22;
 SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse
@@ -131,6 +132,9 @@ SHARED_CONSTANT kMaxBoxPools = 4;
 SHARED_CONSTANT kGroupSize = 64;  // threads of every linear dispatch
 SHARED_CONSTANT kPixelGroup = 8;  // threads each way of every dispatch over an image
 SHARED_CONSTANT kAbsent = 0xFFFFFFFFu;
+
+// Of the atlas around a place: four of one level, or of each of two that are mixed.
+SHARED_CONSTANT kMaxCorners = 8;
 
 // Marks of texel records. On the list, kLambertOnly is set where kMarkSeen is not.
 SHARED_CONSTANT kMarkSeen = 1u;
@@ -191,7 +195,8 @@ struct FrameConstants {
   float lightIntensity;   // of the background; lightUnit has it
   uint cellTriangles;     // behind those of the views
   float momentUnit;       // radiance times steradian of one unit of the moments, times the intensity
-  uint reserved;
+  uint atlasLevels;
+  uvec4 sphereStart, sphereTriangles;  // of the spheres of views, by the number that records have
 };
 
 // A rectangle of the picture, in pixels.
@@ -237,8 +242,10 @@ struct GpuRecord {
   vec3 position;
   uint tile;
   vec3 normal;
-  uint slot;  // index in its tile, and kRecordHasCells
+  uint slot;  // index in its tile, and the flags below
 };
+SHARED_CONSTANT kRecordSlot = 63u;
+SHARED_CONSTANT kRecordSphereShift = 8;         // two bits from here on: asset::viewSphereOf
 SHARED_CONSTANT kRecordHasCells = 0x80000000u;  // asset::kDirectionCells
 
 // A resident page: its boxes start at `firstBox` of pool `pool`; an absent page has an empty mask.
@@ -287,7 +294,7 @@ struct VisibleHeader {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(FrameConstants) == 224 && sizeof(ViewTriangle) == 80 && sizeof(RowSum) == 24 &&
+static_assert(sizeof(FrameConstants) == 256 && sizeof(ViewTriangle) == 80 && sizeof(RowSum) == 24 &&
               sizeof(LightConstants) == 96);
 }  // namespace boxlight::gpu
 #endif

@@ -119,7 +119,8 @@ bool isOpen(TreeTexels texels, FilteredMaps maps) {
 const float kOpen = 1.0 - 1e-5;
 
 // Lavapipe 22.3 runs through a branch whatever the lanes want, but leaves a loop: what few lanes want is in loops of one round. All four
-// maps are read in it, those that are not there with a weight of 0: loops of fixed length are none when compiled, and rounds are few.
+// maps of a level are read in it, those that are not there with a weight of 0: loops of fixed length are none when compiled, and rounds
+// are few.
 
 /// Of a root's quarters, `wide` quarters of the maps' blocks each. A map's quarter counts as even where their edges cut it; a root that is
 /// open is not looked at.
@@ -130,10 +131,11 @@ vec4 visibleQuarters(TreeTexels root, FilteredMaps maps, bool open) {
   vec4 visible = vec4(0.0);
   for (int i = open ? 2 * wide + 1 : 0; i <= 2 * wide; ++i) {
     vec2 column = vec2(0.0);
-    for (uint k = 0; k < 4; ++k) {
-      bool there = k < maps.count;
-      column += (there ? maps.weight[k] : 0.0) * quarterColumn(maps.map[there ? k : 0], int(first) + i, int(root.at.y) / 16);
-    }
+    for (uint four = 0; four < (kLevels ? maps.count : 1); four += 4)
+      for (uint k = four; k < four + 4; ++k) {
+        bool there = k < maps.count;
+        column += (there ? maps.weight[k] : 0.0) * quarterColumn(maps.map[there ? k : 0], int(first) + i, int(root.at.y) / 16);
+      }
     float left = float(i) - shift, width = float(wide);
     vec2 inside = clamp(min(vec2(left + 1.0), vec2(width, 2.0 * width)) - max(vec2(left), vec2(0.0, width)), 0.0, 1.0);
     visible += column.xxyy * inside.xyxy / width;
@@ -147,10 +149,11 @@ float visiblePart(TreeTexels texels, vec3 middle, FilteredMaps maps, float known
   float visible = found ? known : 0.0;
   for (uint once = found ? 1 : 0; once < 1; ++once) {
     MapPart part = mapPart(texels, middle.y * inversesqrt(dot(middle.xz, middle.xz)));
-    for (uint k = 0; k < 4; ++k) {
-      bool there = k < maps.count;
-      visible += (there ? maps.weight[k] : 0.0) * visiblePart(maps.map[there ? k : 0], part);
-    }
+    for (uint four = 0; four < (kLevels ? maps.count : 1); four += 4)
+      for (uint k = four; k < four + 4; ++k) {
+        bool there = k < maps.count;
+        visible += (there ? maps.weight[k] : 0.0) * visiblePart(maps.map[there ? k : 0], part);
+      }
   }
   return visible >= kOpen ? 1.0 : max(visible, 0.0);
 }

@@ -87,6 +87,12 @@ void addBakeOptions(CLI::App& command, BakeOptions& options) {
       ->check(CLI::Range(1, 8192))
       ->option_text("N");
   command
+      .add_option("--levels", options.levels,
+                  "Of the atlas, itself included: coarser ones for pictures in which the object is small, as "
+                  "far as charts stay apart")
+      ->check(CLI::Range(1, 8))
+      ->capture_default_str();
+  command
       .add_option("--atlas-uv", options.atlasUv,
                   "Where the atlas comes from: TEXCOORD_0 or _1, charts of our own, or what fits")
       ->check(CLI::IsMember({"auto", "chart", "0", "1"}))
@@ -98,8 +104,12 @@ void addBakeOptions(CLI::App& command, BakeOptions& options) {
                   "mirrors show other surfaces more sharply, at more bytes. auto: split")
       ->check(CLI::IsMember({"auto", "sketch", "split", "cells"}))
       ->capture_default_str();
-  command.add_option("--views", options.views, "View directions")
-      ->check(CLI::IsMember({12, 42, 92, 162, 252, 362}))
+  command
+      .add_option(
+          "--views", options.views,
+          "View directions of all gloss. auto: 92, but 42 or 12 where pixels shade all lobes themselves and "
+          "these are rough")
+      ->check(CLI::IsMember({"auto", "12", "42", "92", "162", "252", "362"}))
       ->capture_default_str();
   command
       .add_option("--cells", options.cells,

@@ -14,10 +14,11 @@ namespace boxlight {
 
 /// The command line of `ptbake bake`.
 struct BakeOptions {
-  std::string scene, output, preset = "preview", atlasUv = "auto", scheme = "auto";
+  std::string scene, output, preset = "preview", atlasUv = "auto", scheme = "auto", views = "auto";
   TransportOptions transport;
-  uint32_t atlas = 0, views = 92, boxes = 0, paths = 0;  ///< 0: as the preset says
-  std::vector<uint32_t> texel;                           ///< x and y: study this one, bake nothing
+  uint32_t atlas = 0, boxes = 0, paths = 0;  ///< 0: as the preset says
+  uint32_t levels = 1;
+  std::vector<uint32_t> texel;  ///< x and y: study this one, bake nothing
   std::optional<uint32_t> view, cells;
   std::string side = "front";
 };

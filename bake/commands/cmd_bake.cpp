@@ -8,6 +8,7 @@
 #include "bake/commands/bake_options.h"
 #include "bake/kernels/scene_bake.h"
 #include "bake/scene/atlas.h"
+#include "bake/scene/atlas_levels.h"
 #include "bake/scene/gltf_load.h"
 #include "bake/study/kernel_drawing.h"
 #include "bake/study/kernel_report.h"
@@ -19,6 +20,15 @@
 namespace boxlight {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
+bool viewsByRoughness(const BakeOptions& options) { return options.views == "auto"; }
+
+/// Of records without coarse views.
+uint32_t viewsOf(const BakeOptions& options) {
+  return viewsByRoughness(options) ? 92 : uint32_t(std::stoul(options.views));
+}
+
 uint32_t frequencyOf(uint32_t views) {
   uint32_t frequency = 1;
   while (10 * frequency * frequency + 2 < views) ++frequency;
@@ -26,15 +36,16 @@ uint32_t frequencyOf(uint32_t views) {
 }
 
 /// Everything that the bytes of the asset depend on, and nothing else: no time, no host, no threads.
-nlohmann::ordered_json provenance(const BakeOptions& o, const Scene& scene) {
-  nlohmann::ordered_json document = {
+Json provenance(const BakeOptions& o, const Scene& scene) {
+  Json document = {
       {"tool", "ptbake " BOXLIGHT_VERSION},
       {"scene", {{"file", scene.path.filename().string()}, {"xxh64", fmt::format("{:016x}", scene.hash)}}},
       {"options",
        {{"scheme", o.scheme},
         {"atlas", o.atlas},
         {"atlasUv", o.atlasUv},
-        {"views", o.views},
+        {"levels", o.levels},
+        {"views", viewsByRoughness(o) ? Json("auto") : Json(viewsOf(o))},
         {"boxes", o.boxes},
         {"paths", o.paths},
         {"bounces", o.transport.bounces},
@@ -68,10 +79,12 @@ void bake(BakeOptions options, const CommonOptions& common) {
   options.transport.applyTo(scene);
   const ProgressStyle progress = common.quiet ? ProgressStyle::none : common.progress;
   const AtlasReport atlas = chooseAtlas(scene, {options.atlas, atlasSources().at(options.atlasUv), progress});
-  const TexelMap map = makeTexels(scene, options.atlas, options.atlas);
+  TexelMap map = makeTexels(scene, options.atlas, options.atlas);
+  if (options.texel.empty()) addCoarserLevels(scene, map, options.levels);
   const Intersector world(scene);
-  const std::vector<RecordPlan> records = planRecords(world, map, schemes().at(options.scheme));
-  const ViewSphere sphere(frequencyOf(options.views));
+  const std::vector<RecordPlan> records =
+      planRecords(world, map, schemes().at(options.scheme), viewsByRoughness(options));
+  const ViewSphere sphere(frequencyOf(viewsOf(options)));
   KernelOptions kernels{options.paths,
                         options.boxes,
                         {options.transport.bounceLimit(), options.transport.energyLimit()},

@@ -127,12 +127,25 @@ Json mapsToJson(const AssetReader& reader) {
   return maps;
 }
 
-Json cellsToJson(const Asset& asset) {
+/// A sphere of directions, and for how many records it is.
+template <class Predicate>
+Json sphereToJson(const Asset& asset, asset::GeodesicSphere sphere, Predicate&& isFor) {
   uint64_t records = 0;
-  for (uint32_t record = 0; record < asset.records.size(); ++record) records += asset.hasCells(record);
-  return {{"frequency", asset.cellSphere.empty() ? 0 : asset.cellSphere[0].frequency},
-          {"count", asset.cellCount()},
-          {"records", records}};
+  for (uint32_t record = 0; record < asset.records.size(); ++record) records += isFor(record);
+  return {{"frequency", sphere.frequency}, {"count", sphere.count}, {"records", records}};
+}
+
+Json cellsToJson(const Asset& asset) {
+  return sphereToJson(asset, asset.cellSphere.empty() ? asset::GeodesicSphere{} : asset.cellSphere[0],
+                      [&](uint32_t record) { return asset.hasCells(record); });
+}
+
+Json coarseViewsToJson(const Asset& asset) {
+  Json spheres = Json::array();
+  for (uint32_t s = 0; s < asset.coarseViews.size(); ++s)
+    spheres.push_back(sphereToJson(asset, asset.coarseViews[s],
+                                   [&](uint32_t record) { return asset.viewSphere(record) == s + 1; }));
+  return spheres;
 }
 
 Json toJson(const AssetReader& reader) {
@@ -156,6 +169,7 @@ Json toJson(const AssetReader& reader) {
         {"records", info.recordCount},
         {"tiles", info.tileCount}}},
       {"visibilityMaps", mapsToJson(reader)},
+      {"coarseViews", coarseViewsToJson(asset)},
       {"cells", cellsToJson(asset)},
       {"materialTerms", materialTerms(asset)},
       {"bytes", bytesToJson(reader, summary)}};
@@ -217,9 +231,13 @@ void printText(const Json& summary) {
   if (const Json& maps = summary["visibilityMaps"]; maps["count"] != 0)
     print("visibility", fmt::format("{} maps of split records, {} bytes of {}", maps["count"].dump(),
                                     maps["stored"].dump(), maps["raw"].dump()));
-  if (const Json& cells = summary["cells"]; cells["count"] != 0)
-    print("cells", fmt::format("{} (frequency {}), of {} records", cells["count"].dump(),
-                               cells["frequency"].dump(), cells["records"].dump()));
+  const auto printSphere = [&](const char* name, const Json& sphere) {
+    if (sphere["count"] != 0)
+      print(name, fmt::format("{} (frequency {}), of {} records", sphere["count"].dump(),
+                              sphere["frequency"].dump(), sphere["records"].dump()));
+  };
+  for (const Json& sphere : summary["coarseViews"]) printSphere("views", sphere);
+  printSphere("cells", summary["cells"]);
   const Json& bytes = summary["bytes"];
   for (const char* kind : {"glossyPages", "diffusePages", "cellPages"})
     if (const Json& emitted = bytes[kind]["emittedKernels"]; emitted != 0)

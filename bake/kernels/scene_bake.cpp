@@ -33,10 +33,19 @@ uint32_t glossySlots(std::span<const RecordPlan> records, const KernelOptions& o
   return slots;
 }
 
+/// Tiles hold records of one level: none is read for a picture that is far from it.
+uint32_t tileLength(const std::vector<RecordPlan>& records, uint32_t first) {
+  uint32_t count = 1;
+  while (count < asset::kTileRecords && first + count < records.size() &&
+         records[first + count].record.level == records[first].record.level)
+    ++count;
+  return count;
+}
+
 std::vector<asset::Tile> makeTiles(const std::vector<RecordPlan>& records, const KernelOptions& options) {
   std::vector<asset::Tile> tiles;
-  for (uint32_t first = 0; first < records.size(); first += asset::kTileRecords) {
-    const uint32_t count = std::min(asset::kTileRecords, uint32_t(records.size()) - first);
+  for (uint32_t first = 0; first < records.size(); first += tiles.back().recordCount) {
+    const uint32_t count = tileLength(records, first);
     asset::Tile tile{first, count, 0, 0};
     const auto own = recordsOf(tile, records);
     tile.glossyBoxes = glossySlots(own, options);
@@ -101,20 +110,25 @@ asset::Scheme schemeOf(const std::vector<RecordPlan>& records) {
   return any(&RecordPlan::isSplit) ? asset::Scheme::split : asset::Scheme::sketch;
 }
 
+asset::GeodesicSphere sphereOf(uint32_t frequency) { return {frequency, ViewSphere(frequency).viewCount()}; }
+
 }  // namespace
 
 uint32_t glossySlotsOf(const std::vector<RecordPlan>& records, uint32_t record,
                        const KernelOptions& options) {
-  return makeTiles(records, options)[record / asset::kTileRecords].glossyBoxes;
+  for (const asset::Tile& tile : makeTiles(records, options))
+    if (record - tile.firstRecord < tile.recordCount) return tile.glossyBoxes;
+  return 0;
 }
 
 BakeCost estimateCost(const std::vector<RecordPlan>& records, const ViewSphere& sphere,
                       const KernelOptions& options) {
   const ViewSphere cells(options.cellFrequency);
+  const std::vector<ViewSphere> spheres = viewSpheres(sphere);
   BakeCost cost{.records = records.size()};
   for (const RecordPlan& plan : records) {
     const vec3 normal(plan.record.normal[0], plan.record.normal[1], plan.record.normal[2]);
-    const auto directions = viewsOfHemisphere(plan.hasCells() ? cells : sphere, normal);
+    const auto directions = viewsOfHemisphere(plan.hasCells() ? cells : spheres[plan.viewSphere()], normal);
     const uint64_t glossy =
                        plan.glossy ? uint64_t(std::count(directions.begin(), directions.end(), true)) : 0,
                    lambert = plan.lambert;
@@ -136,13 +150,18 @@ BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::v
   result.info.atlasHeight = map.height;
   result.info.viewFrequency = sphere.frequency();
   result.info.viewCount = sphere.viewCount();
-  result.atlas = indirection(map, records);
+  result.atlas = indirection(map, 0, records);
+  for (uint32_t level = 1; level <= map.coarser.size(); ++level) {
+    const std::vector<asset::AtlasTexel> texels = indirection(map, level, records);
+    result.atlasLevels.insert(result.atlasLevels.end(), texels.begin(), texels.end());
+  }
   for (const RecordPlan& plan : records) result.records.push_back(plan.record);
   result.tiles = makeTiles(records, options);
   result.scheme = schemeOf(records);
-  if (result.scheme == asset::Scheme::cells) {
-    result.cellSphere = {{options.cellFrequency, ViewSphere(options.cellFrequency).viewCount()}};
-  }
+  if (result.scheme == asset::Scheme::cells) result.cellSphere = {sphereOf(options.cellFrequency)};
+  uint32_t coarsest = 0;
+  for (const RecordPlan& plan : records) coarsest = std::max(coarsest, plan.viewSphere());
+  for (uint32_t s = 0; s < coarsest; ++s) result.coarseViews.push_back(sphereOf(kCoarseViews[s].frequency));
   result.streamMasks.assign(result.streamCount() * result.tiles.size(), 0);
   baked.pages.resize(result.streamMasks.size());
   std::vector<TileResult> tiles(result.tiles.size());

@@ -23,11 +23,17 @@ std::vector<PackedBox> pack(const std::vector<Box>& boxes, size_t count) {
 
 }  // namespace
 
+std::vector<ViewSphere> viewSpheres(const ViewSphere& sphere) {
+  std::vector<ViewSphere> spheres{sphere};
+  for (const CoarseViews& coarse : kCoarseViews) spheres.emplace_back(coarse.frequency);
+  return spheres;
+}
+
 TexelBaker::TexelBaker(const Intersector& world, const TexelMap& map, const ViewSphere& sphere,
                        const KernelOptions& options)
     : world_(world),
       map_(map),
-      sphere_(sphere),
+      spheres_(viewSpheres(sphere)),
       cells_(options.cellFrequency),
       options_(options),
       tracer_(world, options.limits),
@@ -48,7 +54,7 @@ std::vector<Box> TexelBaker::fit(uint32_t boxes) {
 
 void TexelBaker::traceLambert(const PathOrigin& origin, RecordKernels& result) {
   paths_.clear();
-  key_.stream = streamsOf(origin) + sphere_.viewCount();
+  key_.stream = streamsOf(origin) + spheres_[0].viewCount();
   tracer_.traceLambert(origin, key_, options_.lambertPaths(), paths_);
   account(result);
 }
@@ -72,17 +78,17 @@ void TexelBaker::traceView(const PathOrigin& origin, uint32_t view, const Glossy
                            RecordKernels& result) {
   paths_.clear();
   key_.stream = kernels.firstStream + view;
-  const vec3 wo = raiseAboveHorizon(sphere_.directions()[view], origin.normal);
+  const vec3 wo = raiseAboveHorizon(kernels.sphere.directions()[view], origin.normal);
   tracer_.traceGlossy(origin, wo, key_, kernels.paths, paths_);
   account(result);
 }
 
 void TexelBaker::bakeWhole(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result) {
-  const std::vector<bool> stored = viewsOfHemisphere(sphere_, origin.normal);
-  std::vector<std::vector<Box>> boxes(sphere_.viewCount());
-  std::vector<Rgb> emission(sphere_.viewCount(), Rgb(0.0f));
+  const std::vector<bool> stored = viewsOfHemisphere(kernels.sphere, origin.normal);
+  std::vector<std::vector<Box>> boxes(kernels.sphere.viewCount());
+  std::vector<Rgb> emission(kernels.sphere.viewCount(), Rgb(0.0f));
   bool anyLight = false;
-  for (uint32_t view = 0; view < sphere_.viewCount(); ++view) {
+  for (uint32_t view = 0; view < kernels.sphere.viewCount(); ++view) {
     if (!stored[view]) continue;
     traceView(origin, view, kernels, result);
     boxes[view] = fit(kernels.slots);
@@ -93,16 +99,16 @@ void TexelBaker::bakeWhole(const PathOrigin& origin, const GlossyKernels& kernel
     if (boxes[view].empty()) boxes[view].push_back({0, 0, 1, 1, Rgb(0.0f)});
   }
   if (!anyLight) return;
-  matchSlots(sphere_, origin.normal, boxes, int(kernels.slots));
+  matchSlots(kernels.sphere, origin.normal, boxes, int(kernels.slots));
   result.glossy.resize(boxes.size());
   for (uint32_t view = 0; view < boxes.size(); ++view)
     if (stored[view]) result.glossy[view] = {pack(boxes[view], kernels.slots), emission[view]};
 }
 
 void TexelBaker::bakeSplit(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result) {
-  const std::vector<bool> stored = viewsOfHemisphere(sphere_, origin.normal);
-  result.glossy.resize(sphere_.viewCount());
-  for (uint32_t view = 0; view < sphere_.viewCount(); ++view) {
+  const std::vector<bool> stored = viewsOfHemisphere(kernels.sphere, origin.normal);
+  result.glossy.resize(kernels.sphere.viewCount());
+  for (uint32_t view = 0; view < kernels.sphere.viewCount(); ++view) {
     if (!stored[view]) continue;
     traceView(origin, view, kernels, result);
     const bool isDark = !(maxComponent(paths_.emission()) > 0.0f);
@@ -139,7 +145,8 @@ RecordKernel TexelBaker::hiddenKernel(uint32_t slots) {
 }
 
 PathOrigin TexelBaker::start(const RecordPlan& plan) {
-  key_.texel = plan.record.atlasY * map_.width + plan.record.atlasX;
+  const uint32_t level = plan.record.level;
+  key_.texel = streamTexel(level, plan.record.atlasY * map_.level(level).width + plan.record.atlasX);
   return plan.origin(world_, map_);
 }
 
@@ -150,7 +157,8 @@ const KernelPaths& TexelBaker::retrace(const RecordPlan& plan, std::optional<uin
     traceLambert(origin, known);
     return paths_;
   }
-  const GlossyKernels kernels{streamsOf(origin), options_.glossyPaths(plan.glossyLobes), 0};
+  const GlossyKernels kernels{spheres_[plan.viewSphere()], streamsOf(origin),
+                              options_.glossyPaths(plan.glossyLobes), 0};
   if (plan.hasCells())
     traceCell(plan, origin, *view, kernels, known);
   else
@@ -164,7 +172,8 @@ RecordKernels TexelBaker::bake(const RecordPlan& plan, uint32_t glossySlots) {
   RecordKernels result;
   if (plan.lambert) bakeLambert(origin, result);
   if (!plan.glossy) return result;
-  const GlossyKernels kernels{streamsOf(origin), options_.glossyPaths(plan.glossyLobes), glossySlots};
+  const GlossyKernels kernels{spheres_[plan.viewSphere()], streamsOf(origin),
+                              options_.glossyPaths(plan.glossyLobes), glossySlots};
   if (!plan.isSplit()) {
     bakeWhole(origin, kernels, result);
     return result;

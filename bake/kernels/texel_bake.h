@@ -19,7 +19,7 @@ struct KernelOptions {
   uint32_t boxes = 8;    ///< per glossy kernel of one lobe, 1 to 64
   PathLimits limits;
   uint64_t seed = 0;
-  uint32_t cellFrequency = 6;  ///< of the sphere of direction cells (asset::CellSphere)
+  uint32_t cellFrequency = 6;  ///< of the sphere of direction cells
 
   /// The Lambert kernel is stored once where glossy ones are stored per view: it can afford more of both.
   uint32_t lambertPaths() const { return 64 * paths; }
@@ -63,11 +63,14 @@ struct RecordKernel {
 /// The kernels of one record as they will stand in the pages.
 struct RecordKernels {
   RecordKernel lambert;
-  std::vector<RecordKernel> glossy;         ///< [view], or empty
+  std::vector<RecordKernel> glossy;         ///< [view] of the record's sphere, or empty
   std::vector<RecordKernel> cells;          ///< [direction cell], or empty
   std::optional<VisibilityMap> visibility;  ///< of a split record
   double energy = 0, removed = 0;  ///< luminance of all deposits, and what PathLimits::throughput took
 };
+
+/// The bake's sphere of views, then those of kCoarseViews: by RecordPlan::viewSphere.
+std::vector<ViewSphere> viewSpheres(const ViewSphere& sphere);
 
 /// Bakes records one by one; owns scratch memory, so keep one per thread. What it returns depends on its
 /// arguments alone.
@@ -89,6 +92,7 @@ class TexelBaker {
   void traceLambert(const PathOrigin& origin, RecordKernels& result);
   void bakeLambert(const PathOrigin& origin, RecordKernels& result);
   struct GlossyKernels {
+    const ViewSphere& sphere;
     uint32_t firstStream, paths, slots;  // of each
   };
   void bakeWhole(const PathOrigin& origin, const GlossyKernels& kernels, RecordKernels& result);
@@ -105,7 +109,7 @@ class TexelBaker {
 
   const Intersector& world_;
   const TexelMap& map_;
-  const ViewSphere& sphere_;
+  std::vector<ViewSphere> spheres_;  // by RecordPlan::viewSphere
   ViewSphere cells_;
   KernelOptions options_;
   PathTracer tracer_;

@@ -24,7 +24,7 @@ struct TexelMeans {
 
   vec3 position{0.0f}, normal{0.0f}, geometric{0.0f};
   Rgb f0{0.0f};
-  float roughness = 0, metallic = 0;
+  float roughness = 0, metallic = 0, sharpestAlpha = 1;
   uint32_t material = 0, glossyLobes = 0, unmirrored = 0;
   bool diffuse = false, transmits = false, mirrors = false, round = true, coated = false, doubleSided = false,
        volume = false;
@@ -49,6 +49,7 @@ TexelMeans::TexelMeans(const Scene& scene, std::span<const FootprintPiece> footp
     unmirrored = std::max(unmirrored, bsdf.unmirroredCount());
     mirrors |= bsdf.has(kMirrored);
     coated |= bsdf.has(kCoat);
+    sharpestAlpha = std::min(sharpestAlpha, bsdf.sharpestAlpha());
     round &= bsdf.alpha().x == bsdf.alpha().y;
     diffuse |= bsdf.has(kDiffuse);
     transmits |= bsdf.has(kDiffuseTransmit);
@@ -67,8 +68,8 @@ vec3 TexelMeans::direction(bool back) const {
   return (back ? -1.0f : 1.0f) * glm::normalize(mean);
 }
 
-RecordPlan planSide(const TexelMap& map, uint32_t index, const TexelMeans& means, bool back) {
-  const Texel& texel = map.texels[index];
+RecordPlan planSide(const TexelMap& map, uint32_t level, uint32_t index, const TexelMeans& means, bool back) {
+  const Texel& texel = map.level(level).texels[index];
   RecordPlan plan{.texel = index};
   asset::TexelRecord& record = plan.record;
   const vec3 normal = means.direction(back);
@@ -85,6 +86,7 @@ RecordPlan planSide(const TexelMap& map, uint32_t index, const TexelMeans& means
   record.atlasX = texel.x;
   record.atlasY = texel.y;
   record.emissionSlot = asset::kNone;
+  record.level = level;
   return plan;
 }
 
@@ -93,14 +95,24 @@ bool fillsCells(const RecordPlan& plan, const TexelMeans& means) {
          ggx::alphaOf(means.roughness) <= kMaxCellAlpha;
 }
 
+/// Of a split record's views: asset::viewSphereOf.
+uint32_t viewSphereFor(const RecordPlan& plan, const TexelMeans& means) {
+  uint32_t sphere = 0;
+  for (uint32_t s = 0; s < kCoarseViews.size(); ++s)
+    if (plan.unmirrored == 0 && means.sharpestAlpha >= kCoarseViews[s].leastAlpha) sphere = s + 1;
+  return sphere;
+}
+
 /// The records of one texel: one or two.
-std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map, uint32_t index,
-                                  asset::Scheme scheme) {
-  const TexelMeans means(world.scene(), map.footprint(map.texels[index]));
-  std::vector<RecordPlan> plans = {planSide(map, index, means, false)};
-  RecordPlan back = planSide(map, index, means, true);
+std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map, uint32_t level,
+                                  uint32_t index, asset::Scheme scheme, bool coarseViews) {
+  const TexelMap& own = map.level(level);
+  const TexelMeans means(world.scene(), own.footprint(own.texels[index]));
+  std::vector<RecordPlan> plans = {planSide(map, level, index, means, false)};
+  RecordPlan back = planSide(map, level, index, means, true);
   const bool backSeen =
-      means.doubleSided && PathTracer(world, {}).isReached(back.origin(world, map), {0, index, kReachStream});
+      means.doubleSided &&
+      PathTracer(world, {}).isReached(back.origin(world, map), {0, streamTexel(level, index), kReachStream});
   if (backSeen || means.transmits) plans.push_back(back);
   for (size_t side = 0; side < plans.size(); ++side) {
     const bool seen = side == 0 || backSeen, otherSeen = side == 1 || backSeen;
@@ -113,6 +125,8 @@ std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map,
     plans[side].record.flags |= asset::kSplitLobe;
     if (scheme == asset::Scheme::cells && fillsCells(plans[side], means))
       plans[side].record.flags |= asset::kDirectionCells;
+    else if (coarseViews)
+      plans[side].record.flags |= viewSphereFor(plans[side], means) << asset::kCoarseViewShift;
   }
   return plans;
 }
@@ -120,7 +134,8 @@ std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map,
 }  // namespace
 
 PathOrigin RecordPlan::origin(const Intersector& world, const TexelMap& map) const {
-  const auto footprint = map.footprint(map.texels[texel]);
+  const TexelMap& own = map.level(record.level);
+  const auto footprint = own.footprint(own.texels[texel]);
   const bool back = (record.flags & asset::kBackSide) != 0;
   return {footprint,
           back,
@@ -128,24 +143,31 @@ PathOrigin RecordPlan::origin(const Intersector& world, const TexelMap& map) con
           mediaAround(world, footprint, back)};
 }
 
-std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map, asset::Scheme scheme) {
-  std::vector<std::vector<RecordPlan>> texels(map.texels.size());
-  tbb::parallel_for(size_t(0), texels.size(),
-                    [&](size_t i) { texels[i] = planTexel(world, map, uint32_t(i), scheme); });
+std::vector<RecordPlan> planRecords(const Intersector& world, const TexelMap& map, asset::Scheme scheme,
+                                    bool coarseViews) {
   std::vector<RecordPlan> plans;
-  for (const auto& sides : texels) plans.insert(plans.end(), sides.begin(), sides.end());
+  for (uint32_t level = 0; level <= map.coarser.size(); ++level) {
+    std::vector<std::vector<RecordPlan>> texels(map.level(level).texels.size());
+    tbb::parallel_for(size_t(0), texels.size(), [&](size_t i) {
+      texels[i] = planTexel(world, map, level, uint32_t(i), scheme, coarseViews);
+    });
+    for (const auto& sides : texels) plans.insert(plans.end(), sides.begin(), sides.end());
+  }
   return plans;
 }
 
-std::vector<asset::AtlasTexel> indirection(const TexelMap& map, const std::vector<RecordPlan>& records) {
-  std::vector<asset::AtlasTexel> sides(map.texels.size());
+std::vector<asset::AtlasTexel> indirection(const TexelMap& map, uint32_t level,
+                                           const std::vector<RecordPlan>& records) {
+  const TexelMap& own = map.level(level);
+  std::vector<asset::AtlasTexel> sides(own.texels.size());
   for (uint32_t r = 0; r < records.size(); ++r) {
+    if (records[r].record.level != level) continue;
     asset::AtlasTexel& texel = sides[records[r].texel];
     (records[r].record.flags & asset::kBackSide ? texel.back : texel.front) = r;
   }
-  std::vector<asset::AtlasTexel> atlas(map.nearest.size());
+  std::vector<asset::AtlasTexel> atlas(own.nearest.size());
   for (size_t i = 0; i < atlas.size(); ++i)
-    if (map.nearest[i] != asset::kNone) atlas[i] = sides[map.nearest[i]];
+    if (own.nearest[i] != asset::kNone) atlas[i] = sides[own.nearest[i]];
   return atlas;
 }
 

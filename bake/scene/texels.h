@@ -32,7 +32,10 @@ struct TexelMap {
   /// Per atlas texel, the index into `texels` of itself or, in the gutter, of the nearest covered texel;
   /// asset::kNone elsewhere.
   std::vector<uint32_t> nearest;
+  /// Levels 1, 2, ... of the same surface, each of half the texels each way; they have none of their own.
+  std::vector<TexelMap> coarser;
 
+  const TexelMap& level(uint32_t level) const { return level == 0 ? *this : coarser[level - 1]; }
   std::span<const FootprintPiece> footprint(const Texel& texel) const {
     return std::span(pieces).subspan(texel.firstPiece, texel.pieceCount);
   }

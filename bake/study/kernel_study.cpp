@@ -21,7 +21,8 @@ uint32_t findRecord(const TexelMap& map, const std::vector<RecordPlan>& records,
   if (covered.x != x || covered.y != y)
     fail(ExitCode::usage, "--texel {},{} is in the gutter; it shows texel {},{}", x, y, covered.x, covered.y);
   for (uint32_t r = 0; r < records.size(); ++r)
-    if (records[r].texel == nearest && isBack(records[r]) == query.back) return r;
+    if (records[r].record.level == 0 && records[r].texel == nearest && isBack(records[r]) == query.back)
+      return r;
   fail(ExitCode::usage, "--texel {},{}: its {} is never seen", x, y, sideName(query.back));
 }
 
@@ -69,7 +70,8 @@ KernelStudy studyKernel(const Intersector& world, const TexelMap& map, const std
   study.query = query;
   study.record = findRecord(map, records, query);
   study.plan = records[study.record];
-  const ViewSphere directions = study.plan.hasCells() ? ViewSphere(options.cellFrequency) : sphere;
+  const ViewSphere directions = study.plan.hasCells() ? ViewSphere(options.cellFrequency)
+                                                      : viewSpheres(sphere)[study.plan.viewSphere()];
   requireKernel(study, directions);
   TexelBaker baker(world, map, sphere, options);
   const RecordKernels kernels = baker.bake(study.plan, glossySlotsOf(records, study.record, options));

@@ -72,6 +72,11 @@ uint32_t Bsdf::unmirroredCount() const {
   return uint32_t(has(kSpecular) && specular_.transmits()) + uint32_t(has(kSheen));
 }
 
+float Bsdf::sharpestAlpha() const {
+  const float base = has(kSpecular) ? std::min(alpha().x, alpha().y) : 1.0f;
+  return has(kCoat) ? std::min(base, coatAlpha_) : base;
+}
+
 Rgb Bsdf::viewDependentAlbedo() const {
   return weight_[indexOf(kSpecular)] * specular_.albedo() + weight_[indexOf(kSheen)] * sheenAlbedo_ +
          weight_[indexOf(kCoat)] * coatAlbedo_;

@@ -49,6 +49,8 @@ class Bsdf {
   Rgb f0() const { return fresnel_.f0(); }
   bool isFilmed() const { return fresnel_.isFilmed(); }
   vec2 alpha() const { return specular_.alpha(); }
+  /// The smallest alpha of those that microfacets reflect, along either axis; 1 if there is none.
+  float sharpestAlpha() const;
 
  private:
   static constexpr size_t kCount = 5;

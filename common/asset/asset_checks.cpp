@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "common/asset/asset_checks.h"
 
-#include <array>
-#include <bit>
-#include <cmath>
-
 #include "common/asset/number_checks.h"
 
 namespace boxlight::asset {
@@ -27,54 +23,7 @@ void checkInfo(const Info& info, const Reporter& report) {
     report(notFinite, chunk::kInfo, "bounds", "NaN or infinite");
 }
 
-void checkRecord(const Asset& asset, const ChunkSet& present, uint32_t index, const Reporter& report) {
-  const TexelRecord& r = asset.records[index];
-  const auto bad = [&](FindingCode code, const char* what) {
-    report(code, chunk::kRecords, fmt::format("record {}", index), "{}", what);
-  };
-  const std::array numbers = {allFinite(r.position), allFinite(r.normal),        allFinite(r.tangent),
-                              allFinite(r.f0),       std::isfinite(r.roughness), std::isfinite(r.metallic)};
-  if (std::find(numbers.begin(), numbers.end(), false) != numbers.end())
-    return bad(notFinite, "NaN or infinite");
-  if (!isUnit(r.normal)) bad(recordFrame, "the normal is not unit");
-  if (!isUnit(r.tangent)) bad(recordFrame, "the tangent is not unit");
-  if (!isFraction(r.roughness)) bad(recordValue, "roughness outside [0,1]");
-  if (!isFraction(r.metallic)) bad(recordValue, "metallic outside [0,1]");
-  if (!std::all_of(std::begin(r.f0), std::end(r.f0), isFraction)) bad(recordValue, "f0 outside [0,1]");
-  if (present.has({chunk::kMaterials}) && r.material >= asset.materials.size())
-    bad(recordMaterial, "no such material");
-  if (present.has({chunk::kInfo}) &&
-      (r.atlasX >= asset.info.atlasWidth || r.atlasY >= asset.info.atlasHeight))
-    bad(recordTexel, "outside the atlas");
-  if ((r.flags & ~uint32_t(kBackSide | kSplitLobe | kDirectionCells)) != 0 || r.reserved != 0 ||
-      r.emissionSlot != kNone)
-    bad(reserved, "unknown flags, emissionSlot or reserved field");
-}
-
-void checkAtlasSide(const Asset& asset, size_t index, uint32_t record, bool back, const Reporter& report) {
-  if (record == kNone) return;
-  const bool exists = record < asset.records.size();
-  if (exists && bool(asset.records[record].flags & kBackSide) == back) return;
-  report(atlasRecord, chunk::kAtlas, fmt::format("texel {}, {}", index, back ? "back" : "front"),
-         "record {} {}", record,
-         exists ? "is of the other side" : fmt::format("of {}", asset.records.size()));
-}
-
 }  // namespace
-
-void checkAtlas(const Asset& asset, const ChunkSet& present, const Reporter& report) {
-  if (present.has({chunk::kInfo, chunk::kAtlas})) {
-    const uint64_t texels = uint64_t(asset.info.atlasWidth) * asset.info.atlasHeight;
-    if (asset.atlas.size() != texels)
-      report(counts, chunk::kAtlas, "", "{} entries, the atlas has {} texels", asset.atlas.size(), texels);
-  }
-  for (uint32_t i = 0; i < asset.records.size(); ++i) checkRecord(asset, present, i, report);
-  if (!present.has({chunk::kAtlas, chunk::kRecords})) return;
-  for (size_t i = 0; i < asset.atlas.size(); ++i) {
-    checkAtlasSide(asset, i, asset.atlas[i].front, false, report);
-    checkAtlasSide(asset, i, asset.atlas[i].back, true, report);
-  }
-}
 
 void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& report) {
   uint64_t next = 0;
@@ -123,6 +72,7 @@ void checkTables(const Asset& asset, const ChunkSet& present, const Reporter& re
   checkMasks(asset, present, report);
   checkSplit(asset, present, report);
   checkCells(asset, present, report);
+  checkCoarseViews(asset, present, report);
 }
 
 }  // namespace boxlight::asset

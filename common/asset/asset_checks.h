@@ -26,9 +26,10 @@ void checkTiles(const Asset& asset, const ChunkSet& present, const Reporter& rep
 void checkMasks(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkSplit(const Asset& asset, const ChunkSet& present, const Reporter& report);
 void checkCells(const Asset& asset, const ChunkSet& present, const Reporter& report);
+void checkCoarseViews(const Asset& asset, const ChunkSet& present, const Reporter& report);
 
 /// Could INFO be read, and are views and cells as many as their frequencies have? Only then is
-/// Asset::streamCount() to be trusted, and small.
+/// Asset::streamCount() to be trusted, and small. (Coarse views have no streams of their own.)
 bool streamsCanBeCounted(const Asset& asset, const ChunkSet& present);
 
 /// Does each table have as many entries as Info says?

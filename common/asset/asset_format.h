@@ -17,8 +17,9 @@ static_assert(std::endian::native == std::endian::little, "records are read and 
 inline constexpr uint8_t kMagic[8] = {0xAB, 'P', 'T', 'B', '\r', '\n', 0x1A, '\n'};
 inline constexpr uint16_t kMajorVersion = 1;  ///< a reader refuses any other
 /// 1.1 adds MATX, TXFM and kernels with emitted radiance; 1.2 the scheme split with VISI; 1.3 the scheme
-/// cells with CELL; 1.4 cosine boxes; 1.5 Codec::planes.
-inline constexpr uint16_t kMinorVersion = 5;
+/// cells with CELL; 1.4 cosine boxes; 1.5 Codec::planes; 1.6 coarser spheres of views with VIEW, and of atlas
+/// levels with levl.
+inline constexpr uint16_t kMinorVersion = 6;
 inline constexpr uint32_t kNone = 0xFFFFFFFFu;
 inline constexpr uint32_t kTileRecords =
     64;  ///< texel records per tile at most: one bit each in a 64-bit mask
@@ -91,19 +92,22 @@ inline constexpr uint32_t kTextureTransforms = fourCc("TXFM");  ///< TextureTran
 inline constexpr uint32_t kTextures = fourCc("TEXI");           ///< Texture[]
 inline constexpr uint32_t kTexels = fourCc("TEXD");  ///< RGBA8 texels of all textures, row 0 at the top
 inline constexpr uint32_t kAtlas = fourCc("ATLS");   ///< AtlasTexel[atlasWidth * atlasHeight], row 0 is v = 0
+inline constexpr uint32_t kAtlasLevels =
+    fourCc("levl");  ///< AtlasTexel[] of all coarser levels, one after another; optional, may be skipped
 inline constexpr uint32_t kRecords = fourCc("RECS");  ///< TexelRecord[recordCount]
 inline constexpr uint32_t kTiles = fourCc("TILE");    ///< Tile[tileCount]
 inline constexpr uint32_t kVisibilityMaps =
     fourCc("VISI");                                      ///< VisibilityMap[records with kSplitLobe]; optional
-inline constexpr uint32_t kCellSphere = fourCc("CELL");  ///< one CellSphere; optional
+inline constexpr uint32_t kCellSphere = fourCc("CELL");  ///< one GeodesicSphere; optional
+inline constexpr uint32_t kCoarseViews = fourCc("VIEW");  ///< GeodesicSphere[1 to kMaxCoarseViews]; optional
 inline constexpr uint32_t kStreamMasks = fourCc("MASK");  ///< uint64_t[streamCount][tileCount]
 inline constexpr uint32_t kPageIndex = fourCc("PGIX");    ///< PageEntry[streamCount][tileCount]
 inline constexpr uint32_t kPages = fourCc("PAGE");        ///< PackedBox pages, stream-major; isPaged
 }  // namespace chunk
 
 /// A stream is one set of kernels of every texel: streams 0 .. viewCount-1 are the glossy kernels of the
-/// views, stream viewCount is the view-independent Lambert kernel; those of direction cells follow.
-/// streamCount = viewCount + 1 + cellCount.
+/// views, each record's of its own sphere of views; stream viewCount is the view-independent Lambert kernel;
+/// those of direction cells follow. streamCount = viewCount + 1 + cellCount.
 struct Info {
   uint32_t atlasWidth, atlasHeight;  ///< texels
   uint32_t viewFrequency;            ///< of the geodesic icosahedron, view_sphere.h
@@ -233,7 +237,17 @@ enum RecordFlags : uint32_t {
   /// Of a split record: what other surfaces send is stored for the directions that it comes from, not for
   /// those that it leaves in; Scheme::cells.
   kDirectionCells = 1u << 2,
+  /// Two bits, n << kCoarseViewShift: its views are those of entry n - 1 of VIEW, 0: of Info. Not beside
+  /// kDirectionCells.
+  kCoarseViews = 3u << 3,
 };
+inline constexpr uint32_t kKnownRecordFlags = kBackSide | kSplitLobe | kDirectionCells | kCoarseViews;
+inline constexpr uint32_t kCoarseViewShift = 3;
+inline constexpr uint32_t kMaxCoarseViews = 3;  ///< spheres
+/// 0 for the sphere of Info, else 1 + the entry of VIEW.
+constexpr uint32_t viewSphereOf(uint32_t recordFlags) {
+  return (recordFlags & kCoarseViews) >> kCoarseViewShift;
+}
 
 /// One side of one texel: where its kernels were traced, and with which first-hit parameters (means over the
 /// footprint).
@@ -246,19 +260,19 @@ struct TexelRecord {
   float roughness;   ///< perceptual
   float f0[3];       ///< specular reflectance at normal incidence
   float metallic;
-  uint32_t atlasX, atlasY;
-  uint32_t emissionSlot;  ///< reserved: kNone
-  uint32_t reserved;
+  uint32_t atlasX, atlasY;  ///< the texel, of its level
+  uint32_t emissionSlot;    ///< reserved: kNone
+  uint32_t level;           ///< of the atlas: 0, or of levl
 };
 static_assert(sizeof(TexelRecord) == 80);
 
-/// The sphere whose vertices are the directions of kernels of records with kDirectionCells: view_sphere.h, of
-/// its own frequency.
-struct CellSphere {
+/// A sphere whose vertices are directions of kernels (view_sphere.h) besides the one in Info: that of the
+/// cells of records with kDirectionCells, or one of views for the records that viewSphereOf() names it for.
+struct GeodesicSphere {
   uint32_t frequency;
   uint32_t count;  ///< 10 f^2 + 2
 };
-static_assert(sizeof(CellSphere) == 8);
+static_assert(sizeof(GeodesicSphere) == 8);
 
 /// Up to kTileRecords consecutive records, neighbours in the atlas. All glossy kernels of a tile have the
 /// same number of boxes.

@@ -22,10 +22,12 @@ void forEachTable(A& asset, F&& f) {
   f(chunk::kTextures, asset.textures);
   f(chunk::kTexels, asset.texels);
   f(chunk::kAtlas, asset.atlas);
+  f(chunk::kAtlasLevels, asset.atlasLevels);
   f(chunk::kRecords, asset.records);
   f(chunk::kTiles, asset.tiles);
   f(chunk::kVisibilityMaps, asset.visibilityMaps);
   f(chunk::kCellSphere, asset.cellSphere);
+  f(chunk::kCoarseViews, asset.coarseViews);
   f(chunk::kStreamMasks, asset.streamMasks);
 }
 

@@ -25,7 +25,8 @@ constexpr std::array kRequired = {
     chunk::kStreamMasks, chunk::kPageIndex, chunk::kPages};
 
 constexpr std::array kOptionalTables = {chunk::kMaterialExtensions, chunk::kTextureTransforms,
-                                        chunk::kVisibilityMaps, chunk::kCellSphere};
+                                        chunk::kVisibilityMaps,     chunk::kCellSphere,
+                                        chunk::kCoarseViews,        chunk::kAtlasLevels};
 
 /// May a reader that does not know the type do without it?
 bool isSkippable(uint32_t type) { return (type & 0xFF) >= 'a' && (type & 0xFF) <= 'z'; }

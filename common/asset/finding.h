@@ -60,6 +60,8 @@ enum class FindingCode : int {
   extensionValue = 324,
   visibilityMaps = 325,
   directionCells = 326,
+  coarseViews = 327,
+  atlasLevels = 328,
   pageSize = 401,
   pageRange = 402,
   pageHash = 403,

@@ -26,14 +26,32 @@ void checkCellSphere(const Asset& asset, const Reporter& report) {
          asset.cellSphere[0].count, asset.cellSphere[0].frequency, kMaxViewFrequency);
 }
 
-/// Bit r: does record r of the tile have direction cells? Records that do not exist have none.
-uint64_t recordsWithCells(const Asset& asset, const Tile& tile) {
+/// Fewer and fewer, so that the streams of INFO's views have room for all.
+bool coarseViewsAreSound(const Asset& asset) {
+  uint32_t above = asset.info.viewFrequency;
+  for (const auto [frequency, count] : asset.coarseViews) {
+    if (frequency < 1 || frequency >= above || count != sphereVertices(frequency)) return false;
+    above = frequency;
+  }
+  return asset.coarseViews.size() <= kMaxCoarseViews;
+}
+
+/// Bit r: is it true of record r of the tile? Of records that do not exist it is not.
+template <class Predicate>
+uint64_t recordsWhere(const Asset& asset, const Tile& tile, Predicate&& holds) {
   uint64_t bits = 0;
   for (uint32_t r = 0; r < std::min(tile.recordCount, kTileRecords); ++r) {
     const uint64_t record = uint64_t(tile.firstRecord) + r;
-    if (record < asset.records.size() && asset.hasCells(uint32_t(record))) bits |= uint64_t(1) << r;
+    if (record < asset.records.size() && holds(uint32_t(record))) bits |= uint64_t(1) << r;
   }
   return bits;
+}
+
+/// How many views a record's sphere has. One that does not exist, which is an error of its own, has none.
+uint32_t viewsOf(const Asset& asset, uint32_t record) {
+  const uint32_t sphere = asset.viewSphere(record);
+  if (sphere == 0) return asset.info.viewCount;
+  return sphere <= asset.coarseViews.size() ? asset.coarseViews[sphere - 1].count : 0;
 }
 
 void checkMask(const Asset& asset, uint32_t stream, uint32_t tile, const Reporter& report) {
@@ -47,19 +65,19 @@ void checkMask(const Asset& asset, uint32_t stream, uint32_t tile, const Reporte
            "mask {:#x}, but the kernels have no boxes", mask);
 }
 
-/// A record has its gloss in the streams of the views or in those of the cells.
-void checkCellMasks(const Asset& asset, const Reporter& report) {
-  for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) {
-    const uint64_t withCells = recordsWithCells(asset, asset.tiles[tile]);
-    for (uint32_t stream = 0; stream < asset.streamCount(); ++stream) {
-      if (stream == asset.diffuseStream()) continue;
-      const bool isCell = stream >= asset.firstCellStream();
-      const uint64_t strangers = asset.mask(stream, tile) & (isCell ? ~withCells : withCells);
-      if (strangers != 0)
-        report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile),
-               "bits {:#x} are of records {} direction cells", strangers, isCell ? "without" : "with");
-    }
-  }
+/// A record has its gloss in the streams of its own sphere's views, or in those of the cells.
+void checkGlossyMask(const Asset& asset, uint32_t stream, uint32_t tile, const Reporter& report) {
+  const bool isCell = stream >= asset.firstCellStream();
+  const uint64_t mask = asset.mask(stream, tile);
+  const auto refuse = [&](const char* what, auto&& holds) {
+    const uint64_t strangers = mask & recordsWhere(asset, asset.tiles[tile], holds);
+    if (strangers != 0)
+      report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile), "bits {:#x} are of records {}",
+             strangers, what);
+  };
+  refuse(isCell ? "without direction cells" : "with direction cells",
+         [&](uint32_t record) { return asset.hasCells(record) != isCell; });
+  if (!isCell) refuse("with fewer views", [&](uint32_t record) { return stream >= viewsOf(asset, record); });
 }
 
 }  // namespace
@@ -78,7 +96,10 @@ void checkMasks(const Asset& asset, const ChunkSet& present, const Reporter& rep
                   expected);
   for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) checkMask(asset, stream, tile, report);
-  if (present.has({chunk::kRecords})) checkCellMasks(asset, report);
+  if (!present.has({chunk::kRecords})) return;
+  for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile)
+    for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
+      if (stream != asset.diffuseStream()) checkGlossyMask(asset, stream, tile, report);
 }
 
 void checkCells(const Asset& asset, const ChunkSet& present, const Reporter& report) {
@@ -91,6 +112,24 @@ void checkCells(const Asset& asset, const ChunkSet& present, const Reporter& rep
     else if (!asset.isSplit(i))
       report(directionCells, chunk::kRecords, fmt::format("record {}", i),
              "direction cells without a split lobe");
+  }
+}
+
+void checkCoarseViews(const Asset& asset, const ChunkSet& present, const Reporter& report) {
+  if (!present.has({chunk::kInfo, chunk::kCoarseViews})) return;
+  if (!coarseViewsAreSound(asset))
+    report(coarseViews, chunk::kCoarseViews, "",
+           "not at most {} spheres, each of 10 f^2 + 2 views and coarser than the one before, the first than "
+           "that of INFO",
+           kMaxCoarseViews);
+  for (uint32_t i = 0; i < asset.records.size(); ++i) {
+    const uint32_t sphere = asset.viewSphere(i);
+    if (sphere > asset.coarseViews.size())
+      report(coarseViews, chunk::kRecords, fmt::format("record {}", i), "views of sphere {} of {}", sphere,
+             asset.coarseViews.size());
+    else if (sphere > 0 && asset.hasCells(i))
+      report(coarseViews, chunk::kRecords, fmt::format("record {}", i),
+             "coarse views beside direction cells");
   }
 }
 

@@ -96,6 +96,12 @@ DiffuseRadiance straightRadiance(std::span<const CosineBox> boxes, dvec3 normal,
   return sum;
 }
 
+std::vector<ViewSphere> viewSpheresOf(const asset::Asset& asset) {
+  std::vector<ViewSphere> spheres{ViewSphere(asset.info.viewFrequency)};
+  for (const asset::GeodesicSphere& coarse : asset.coarseViews) spheres.emplace_back(coarse.frequency);
+  return spheres;
+}
+
 Relighter::Relighter(const asset::AssetReader& reader)
     : Relighter(reader.asset(),
                 [&reader](uint32_t stream, uint32_t tile) { return reader.page(stream, tile); }) {}
@@ -103,9 +109,9 @@ Relighter::Relighter(const asset::AssetReader& reader)
 Relighter::Relighter(const asset::Asset& asset, PageProvider pages)
     : asset_(asset),
       pages_(std::move(pages)),
-      views_(asset.info.viewFrequency),
+      views_(viewSpheresOf(asset)),
       cells_(asset.cellSphere.empty() ? 1 : asset.cellSphere.front().frequency) {
-  assert(views_.viewCount() == asset.info.viewCount);
+  assert(views_[0].viewCount() == asset.info.viewCount);
 }
 
 std::span<const PackedBox> Relighter::kernel(uint32_t stream, uint32_t record) {
@@ -136,7 +142,7 @@ TexelRadiance Relighter::relight(uint32_t record, vec3 eye, const SummedArea& li
   const vec3 view = distance > 0.0f ? towards / distance : normal;
   const vec3 raised = raiseAboveHorizon(view, normal);
   if (asset_.isSplit(record))
-    addHidden(record, views_.locate(raised), 0, lights, uOffset, maxBoxes, radiance);
+    addHidden(record, viewsOf(record).locate(raised), 0, lights, uOffset, maxBoxes, radiance);
   else
     radiance.glossy = glossy(record, raised, lights, uOffset, interpolation, maxBoxes);
   return radiance;
@@ -193,7 +199,7 @@ void Relighter::addHidden(uint32_t record, const ViewBlend& blend, uint32_t firs
 
 dvec3 Relighter::glossy(uint32_t record, vec3 view, const SummedArea& lights, double uOffset,
                         Interpolation interpolation, uint32_t maxBoxes) {
-  const ViewBlend blend = views_.locate(view);
+  const ViewBlend blend = viewsOf(record).locate(view);
   std::array<std::span<const PackedBox>, 3> kernels;
   vec3 weight(0.0f);
   size_t slots = 0, first = 0;

@@ -66,6 +66,9 @@ DiffuseRadiance straightRadiance(std::span<const CosineBox> boxes, dvec3 normal,
 /// Boxes closer to the horizon, and those below it that bounced light comes from, fade out of the gradient.
 inline constexpr double kLeastGradientCosine = 0.1;
 
+/// The spheres of views, by the numbers that records have (asset::Asset::viewSphere).
+std::vector<ViewSphere> viewSpheresOf(const asset::Asset& asset);
+
 /// Where decoded pages come from: AssetReader::page, or memory.
 using PageProvider = std::function<std::vector<PackedBox>(uint32_t stream, uint32_t tile)>;
 
@@ -112,7 +115,10 @@ class Relighter {
 
   const asset::Asset& asset_;
   PageProvider pages_;
-  ViewSphere views_, cells_;
+  const ViewSphere& viewsOf(uint32_t record) const { return views_[asset_.viewSphere(record)]; }
+
+  std::vector<ViewSphere> views_;
+  ViewSphere cells_;
   std::unordered_map<uint64_t, std::vector<PackedBox>> decoded_;  // by stream * tileCount + tile
 };
 

@@ -54,12 +54,20 @@ FrameConstants frameConstants(const asset::Asset& asset, const FrameSettings& se
   frame.samples = settings.samples;
   frame.boxLimit = settings.boxLimit;
   frame.atlasSize = {asset.info.atlasWidth, asset.info.atlasHeight};
+  frame.atlasLevels = asset.levelCount();
   frame.recordCount = uint32_t(asset.records.size());
   frame.tileCount = uint32_t(asset.tiles.size());
   frame.diffuseStream = asset.diffuseStream();
   frame.viewTriangles = 20 * asset.info.viewFrequency * asset.info.viewFrequency;
-  for (const asset::CellSphere& cells : asset.cellSphere)
+  for (const asset::GeodesicSphere& cells : asset.cellSphere)
     frame.cellTriangles = 20 * cells.frequency * cells.frequency;
+  uint32_t next = frame.viewTriangles + frame.cellTriangles;
+  frame.sphereStart[0] = 0, frame.sphereTriangles[0] = frame.viewTriangles;
+  for (uint32_t s = 0; s < asset.coarseViews.size(); ++s) {
+    const uint32_t triangles = 20 * asset.coarseViews[s].frequency * asset.coarseViews[s].frequency;
+    frame.sphereStart[int(s) + 1] = next, frame.sphereTriangles[int(s) + 1] = triangles;
+    next += triangles;
+  }
   setLight(frame, settings, light);
   return frame;
 }

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "common/base/error.h"
-#include "common/light/view_sphere.h"
+#include "common/light/relight.h"
 
 namespace boxlight::gpu {
 namespace {
@@ -84,8 +84,8 @@ std::vector<ResidentPages::Page> ResidentPages::neededPages(std::span<const Visi
   const auto& asset = reader_.asset();
   const size_t tileCount = asset.tiles.size();
   std::vector<bool> needed(asset.streamCount() * tileCount), allCells(tileCount);
-  const ViewSphere sphere(asset.info.viewFrequency);
-  uint32_t near = 0;  // where the walk over the view triangles starts
+  const std::vector<ViewSphere> spheres = viewSpheresOf(asset);
+  std::vector<uint32_t> near(spheres.size());  // where the walks over the view triangles start
   for (const auto& [r, glossy] : visible) {
     const uint32_t tile = tileOf(asset, r);
     needed[asset.diffuseStream() * tileCount + tile] = true;
@@ -99,8 +99,9 @@ std::vector<ResidentPages::Page> ResidentPages::neededPages(std::span<const Visi
     const vec3 normal(n[0], n[1], n[2]), towards = eye - vec3(p[0], p[1], p[2]);
     const float distance = glm::length(towards);
     const vec3 view = distance > 0.0f ? towards / distance : normal;
-    const ViewBlend blend = sphere.locate(raiseAboveHorizon(view, normal), near);
-    near = blend.triangle;
+    const uint32_t sphere = asset.viewSphere(r);
+    const ViewBlend blend = spheres[sphere].locate(raiseAboveHorizon(view, normal), near[sphere]);
+    near[sphere] = blend.triangle;
     for (const uint32_t v : blend.view) needed[v * tileCount + tile] = true;
   }
   // Where a pixel's lobe points is for its normal map to say: all cells of its tile may be read.

@@ -23,8 +23,9 @@ std::vector<GpuRecord> makeRecords(const asset::Asset& asset) {
       const uint32_t r = asset.tiles[t].firstRecord + slot;
       const auto& p = asset.records[r].position;
       const auto& n = asset.records[r].normal;
-      records[r] = {
-          {p[0], p[1], p[2]}, t, {n[0], n[1], n[2]}, slot | (asset.hasCells(r) ? kRecordHasCells : 0)};
+      const uint32_t flags = (asset.hasCells(r) ? kRecordHasCells : 0) | asset.viewSphere(r)
+                                                                             << kRecordSphereShift;
+      records[r] = {{p[0], p[1], p[2]}, t, {n[0], n[1], n[2]}, slot | flags};
     }
   return records;
 }
@@ -46,9 +47,10 @@ std::vector<ViewTriangle> trianglesOf(const ViewSphere& sphere) {
 
 std::vector<ViewTriangle> makeViewTriangles(const asset::Asset& asset) {
   std::vector<ViewTriangle> triangles = trianglesOf(ViewSphere(asset.info.viewFrequency));
-  for (const asset::CellSphere& cells : asset.cellSphere)
-    for (const ViewTriangle& triangle : trianglesOf(ViewSphere(cells.frequency)))
-      triangles.push_back(triangle);
+  for (const auto* spheres : {&asset.cellSphere, &asset.coarseViews})
+    for (const asset::GeodesicSphere& sphere : *spheres)
+      for (const ViewTriangle& triangle : trianglesOf(ViewSphere(sphere.frequency)))
+        triangles.push_back(triangle);
   return triangles;
 }
 
@@ -99,7 +101,9 @@ SceneBuffers::SceneBuffers(Device& device, Bindings& bindings, const asset::Asse
     add(kBindTextureLevels, "texture levels", textures.levels);
     add(kBindTexels, "texture texels", textures.texels);
   }
-  add(kBindAtlas, "atlas", asset.atlas);
+  std::vector<asset::AtlasTexel> atlas = asset.atlas;
+  atlas.insert(atlas.end(), asset.atlasLevels.begin(), asset.atlasLevels.end());
+  add(kBindAtlas, "atlas", atlas);
   add(kBindRecords, "texel records", makeRecords(asset));
   add(kBindTiles, "tiles", asset.tiles);
   add(kBindViews, "view triangles", makeViewTriangles(asset));

@@ -84,6 +84,7 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
   constants[kConstantLambert] = hasLambertKernels(asset);
   constants[kConstantWide] = hasWideLobes(asset);
   constants[kConstantCells] = hasDirectionCells(asset);
+  constants[kConstantLevels] = !asset.atlasLevels.empty();
   return constants;
 }
 

@@ -27,8 +27,11 @@ TEST_P(Compatibility, readsAsItDid) {
   EXPECT_EQ(reader.asset().provenance["tool"], "sample 1.0");
   for (const ChunkEntry& entry : reader.chunks())
     EXPECT_EQ(isPaged(entry.codec) ? entry.codec : GetParam().pages, GetParam().pages);
-  EXPECT_EQ(reader.asset().records[4].atlasX, 4u);
-  EXPECT_EQ(reader.page(12, 1).size(), 8u);
+  const bool coarse = GetParam().sample.coarse;
+  EXPECT_EQ(reader.asset().records[4].atlasX, coarse ? 1u : 4u);
+  EXPECT_EQ(reader.asset().records[4].level, coarse ? 1u : 0u);
+  EXPECT_EQ(reader.asset().coarseViews.size(), coarse ? 2u : 0u);
+  EXPECT_EQ(reader.page(reader.asset().diffuseStream(), 1).size(), 8u);
   EXPECT_EQ(reader.asset().materialExtensions.empty(), !GetParam().sample.extensions);
   EXPECT_EQ(reader.asset().visibilityMaps.size(), GetParam().sample.split ? 3u : 0u);
   const bool cells = GetParam().sample.cells;
@@ -50,7 +53,11 @@ INSTANTIATE_TEST_SUITE_P(
                       Version{"version-1.2.ptb", 0xe0cf0c3ba180b77aull, {.split = true}},
                       Version{"version-1.3.ptb", 0x5a174fe6224cc596ull, {.split = true, .cells = true}},
                       Version{"version-1.4.ptb", 0x708ee3641001e4ffull, {.cosine = true}},
-                      Version{"version-1.5.ptb", 0x708ee3641001e4ffull, {.cosine = true}, Codec::planes}));
+                      Version{"version-1.5.ptb", 0x708ee3641001e4ffull, {.cosine = true}, Codec::planes},
+                      Version{"version-1.6.ptb",
+                              0x67e45237e105706ull,
+                              {.viewFrequency = 3, .split = true, .cosine = true, .coarse = true},
+                              Codec::planes}));
 
 }  // namespace
 }  // namespace boxlight::asset

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the C++ side of the format's agreement test needs:
-//   format_tool sample OUT.ptb [split|cells|cosine]    write a small asset with a value of its own in every
-//   field format_tool dump ASSET.ptb [EVERY]          print all values as JSON, one table a line; of texels,
-//   maps and pages, every EVERYth
+//   format_tool sample OUT.ptb [split|cells|cosine|coarse]
+//     write a small asset with a value of its own in every field
+//   format_tool dump ASSET.ptb [EVERY]
+//     print all values as JSON, one table a line; of texels, maps and pages, every EVERYth
 #include <cstdlib>
 #include <iterator>
 #include <string_view>
@@ -96,11 +97,11 @@ Row toRow(const Texture& t) {
 Row toRow(const AtlasTexel& t) { return Row(t.front, t.back); }
 Row toRow(const TexelRecord& r) {
   return Row(r.position, r.flags, r.normal, r.material, r.tangent, r.roughness, r.f0, r.metallic, r.atlasX,
-             r.atlasY, r.emissionSlot);
+             r.atlasY, r.emissionSlot, r.level);
 }
 Row toRow(const Tile& t) { return Row(t.firstRecord, t.recordCount, t.glossyBoxes, t.diffuseBoxes); }
 Row toRow(const VisibilityMap& map) { return Row(map); }
-Row toRow(const CellSphere& sphere) { return Row(sphere.frequency, sphere.count); }
+Row toRow(const GeodesicSphere& sphere) { return Row(sphere.frequency, sphere.count); }
 Row toRow(const PackedBox& packed) {
   if (isEmission(packed)) return Row(packed.kind, unpackEmission(packed));
   if (isHiddenPart(packed)) return Row(packed.kind, unpackHiddenPart(packed));
@@ -158,13 +159,17 @@ void dump(const char* path, uint64_t every) {
   printTable("TEXI", asset.textures);
   printTexels(everyNth(asset.texels, every));
   printTable("ATLS", asset.atlas);
+  printTable("levl", asset.atlasLevels);
   printTable("RECS", asset.records);
   printTable("TILE", asset.tiles);
   printTable("VISI", everyNth(asset.visibilityMaps, every));
   printTable("CELL", asset.cellSphere);
+  printTable("VIEW", asset.coarseViews);
   printTable("MASK", asset.streamMasks, [](uint64_t mask) { return Row(mask); });
   printSphere("view", asset.info.viewFrequency);
-  for (const CellSphere& sphere : asset.cellSphere) printSphere("cell", sphere.frequency);
+  for (const GeodesicSphere& sphere : asset.cellSphere) printSphere("cell", sphere.frequency);
+  for (const GeodesicSphere& sphere : asset.coarseViews)
+    printSphere(fmt::format("{} view", sphere.count), sphere.frequency);
   printPages(reader, every);
 }
 
@@ -174,18 +179,21 @@ void dump(const char* path, uint64_t every) {
 int main(int argc, char** argv) try {
   const std::string_view command = argc >= 3 ? argv[1] : "";
   const std::string_view option = argc >= 4 ? argv[3] : "";
-  if (command == "sample" && (argc == 3 || option == "split" || option == "cells" || option == "cosine")) {
+  const auto isOneOf = [&](auto... names) { return ((option == names) || ...); };
+  if (command == "sample" && (argc == 3 || isOneOf("split", "cells", "cosine", "coarse"))) {
     boxlight::asset::makeSample({.viewFrequency = 3,
                                  .records = 150,
                                  .recordsPerTile = 64,
-                                 .split = option == "split" || option == "cells",
+                                 .split = isOneOf("split", "cells", "coarse"),
                                  .cells = option == "cells",
-                                 .cosine = option == "cosine"})
+                                 .cosine = option == "cosine",
+                                 .coarse = option == "coarse"})
         .write(argv[2]);
   } else if (command == "dump") {
     boxlight::asset::dump(argv[2], argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
   } else {
-    fmt::print(stderr, "usage: format_tool sample OUT.ptb [split|cells|cosine] | dump ASSET.ptb [EVERY]\n");
+    fmt::print(stderr,
+               "usage: format_tool sample OUT.ptb [split|cells|cosine|coarse] | dump ASSET.ptb [EVERY]\n");
     return 1;
   }
   return 0;

@@ -35,19 +35,21 @@ TABLES = {
     "TXFM": struct.Struct("<6f"),
     "TEXI": struct.Struct("<8I"),
     "ATLS": struct.Struct("<2I"),
-    "RECS": struct.Struct("<3fI3fI3ff3ff3I4x"),
+    "levl": struct.Struct("<2I"),
+    "RECS": struct.Struct("<3fI3fI3ff3ff4I"),
     "TILE": struct.Struct("<4I"),
     "VISI": struct.Struct("<256I"),
     "CELL": struct.Struct("<2I"),
+    "VIEW": struct.Struct("<2I"),
     "MASK": struct.Struct("<Q"),
     "PGIX": struct.Struct("<QIIQ"),
 }
-OPTIONAL = ["MATX", "TXFM", "VISI", "CELL"]
+OPTIONAL = ["MATX", "TXFM", "VISI", "CELL", "VIEW", "levl"]
 REQUIRED = [name for name in ["PROV", *TABLES, "TEXD", "PAGE"] if name not in OPTIONAL]
 BOX = struct.Struct("<4H3eH")
 LIGHT, EMISSION, HIDDEN, COSINE = 0, 1, 2, 3
 SKETCH, SPLIT, CELLS = 1, 2, 3
-BACK_SIDE, SPLIT_LOBE, DIRECTION_CELLS = 1, 2, 4  # flags of a record
+BACK_SIDE, SPLIT_LOBE, DIRECTION_CELLS = 1, 2, 4  # flags of a record; bits 3 and 4 are the number of its sphere of views
 BYTE_OF_PLANE = [14, 15, 1, 3, 5, 7, 0, 2, 4, 6, 9, 11, 13, 8, 10, 12]
 TURNS = [6, 7, 6, 7, 2, 2, 2, 0]
 FLOAT_MAX = (2 - 2**-23) * 2.0**127
@@ -115,6 +117,7 @@ class Ptb:
         self.texels = memoryview(self.raw["TEXD"])
         self.read_info()
         self.read_cells()
+        self.read_views()
         self.check_mesh()
         self.check_atlas()
         self.check_tiles()
@@ -177,6 +180,15 @@ class Ptb:
             require(1 <= frequency <= 16 and count == 10 * frequency**2 + 2, "CELL: cells")
         self.stream_count = self.view_count + 1 + sum(count for _, count in spheres)
 
+    def read_views(self):
+        self.views_of_sphere = [self.view_count]
+        above = self.frequency
+        for frequency, count in self.tables["VIEW"]:
+            require(1 <= frequency < above and count == 10 * frequency**2 + 2, "VIEW: not coarser than the sphere before")
+            self.views_of_sphere.append(count)
+            above = frequency
+        require(len(self.views_of_sphere) <= 4, "VIEW: more than three spheres")
+
     def check_mesh(self):
         t = self.tables
         for *corners, material in t["TRIS"]:
@@ -202,14 +214,18 @@ class Ptb:
             require(min(row[19:28]) >= 0, "MATX: emissive, absorption or scattering")
 
     def check_atlas(self):
-        records, (width, height) = self.tables["RECS"], self.atlas_size
-        require(len(self.tables["ATLS"]) == width * height, "ATLS: count")
-        for sides in self.tables["ATLS"]:
-            for back, record in enumerate(sides):
-                require(record == NONE or (record < len(records) and records[record][3] & BACK_SIDE == back), "ATLS: record")
+        records, sizes = self.tables["RECS"], self.level_sizes()
+        for level, texels in enumerate(self.texels_of_levels(sizes)):
+            for sides in texels:
+                for back, record in enumerate(sides):
+                    known = record == NONE or (record < len(records) and records[record][3] & BACK_SIDE == back)
+                    require(known and (record == NONE or records[record][19] == level), f"atlas, level {level}: record")
         for row in records:
             require(row[7] < len(self.tables["MATL"]), "RECS: material")
-            require(row[16] < width and row[17] < height, "RECS: texel")
+            require(row[19] < len(sizes), "RECS: level")
+            require(row[16] < sizes[row[19]][0] and row[17] < sizes[row[19]][1], "RECS: texel")
+            sphere = row[3] >> 3 & 3
+            require(sphere < len(self.views_of_sphere) and not (sphere and row[3] & DIRECTION_CELLS), "RECS: sphere of views")
             for vector in (row[4:7], row[8:11]):
                 require(abs(math.hypot(*vector) - 1) < 1e-3, "RECS: not unit")
             lobe, cells = row[3] & SPLIT_LOBE, row[3] & DIRECTION_CELLS
@@ -217,6 +233,24 @@ class Ptb:
             require(not cells or (lobe and self.header[2] == CELLS), "RECS: direction cells without a split lobe or the scheme")
         split = sum(bool(row[3] & SPLIT_LOBE) for row in records)
         require(split == len(self.tables["VISI"]), "VISI: not one map for each split record")
+
+    def level_sizes(self):
+        """Chapter 5: texels each way of the atlas and of its coarser levels."""
+        sizes = [tuple(self.atlas_size)]
+        while sum(w * h for w, h in sizes[1:]) < len(self.tables["levl"]):
+            require(sizes[-1] != (1, 1), "levl: more than all levels")
+            sizes.append(tuple(max(side // 2, 1) for side in sizes[-1]))
+        return sizes
+
+    def texels_of_levels(self, sizes):
+        width, height = sizes[0]
+        require(len(self.tables["ATLS"]) == width * height, "ATLS: count")
+        require(sum(w * h for w, h in sizes[1:]) == len(self.tables["levl"]), "levl: not a whole number of levels")
+        yield self.tables["ATLS"]
+        first = 0
+        for width, height in sizes[1:]:
+            yield self.tables["levl"][first : first + width * height]
+            first += width * height
 
     def check_tiles(self):
         end = 0
@@ -246,6 +280,9 @@ class Ptb:
             kinds = {self.tables["RECS"][record][3] & DIRECTION_CELLS for record in self.records_of(mask, tile)}
             allowed = {0, DIRECTION_CELLS} if stream == self.view_count else {DIRECTION_CELLS} if stream > self.view_count else {0}
             require(kinds <= allowed, f"{place}: mask of records with and without direction cells")
+            if stream < self.view_count:
+                spheres = {self.tables["RECS"][record][3] >> 3 & 3 for record in self.records_of(mask, tile)}
+                require(all(stream < self.views_of_sphere[sphere] for sphere in spheres), f"{place}: mask of records with fewer views")
             require(raw == 16 * bin(mask).count("1") * boxes and (raw == 0) == (stored == 0), f"{place}: size")
             require(offset + stored <= size, f"{place}: range")
 

@@ -177,6 +177,34 @@ void addCells(Asset& asset, uint32_t viewFrequency) {
   for (size_t i = 0; i < asset.records.size(); i += 3) asset.records[i].flags |= kDirectionCells;
 }
 
+void addCoarseViews(Asset& asset) {
+  asset.coarseViews = {{2, 42}, {1, 12}};
+  for (uint32_t i = 0; i < asset.records.size(); ++i) asset.records[i].flags |= i % 3 << kCoarseViewShift;
+}
+
+/// The last two records move to the first coarser level of the atlas, of their sides.
+void addLevel(Asset& asset) {
+  const uvec2 size = asset.levelSize(1);
+  asset.atlasLevels.resize(size_t(size.x) * size.y);
+  for (uint32_t k = 0; k < 2; ++k) {
+    const auto i = uint32_t(asset.records.size()) - 2 + k;
+    asset.atlas[i] = {};
+    TexelRecord& r = asset.records[i];
+    r.level = 1, r.atlasX = k, r.atlasY = 0;
+    (r.flags & kBackSide ? asset.atlasLevels[k].back : asset.atlasLevels[k].front) = i;
+  }
+}
+
+/// Bit r: have the views of record r's sphere this number?
+uint64_t recordsWithView(const Asset& asset, const Tile& tile, uint32_t view) {
+  uint64_t bits = 0;
+  for (uint32_t r = 0; r < tile.recordCount; ++r) {
+    const uint32_t sphere = asset.viewSphere(tile.firstRecord + r);
+    if (sphere == 0 || view < asset.coarseViews[sphere - 1].count) bits |= uint64_t(1) << r;
+  }
+  return bits;
+}
+
 uint64_t recordsWithCells(const Asset& asset, const Tile& tile) {
   uint64_t bits = 0;
   for (uint32_t r = 0; r < tile.recordCount; ++r)
@@ -191,7 +219,8 @@ uint64_t maskOf(const Asset& asset, uint32_t stream, uint32_t tile) {
   const uint64_t some = (0x5555555555555555ull << stream % 2 | 4) & all;
   const uint64_t withCells = recordsWithCells(asset, asset.tiles[tile]);
   if (stream >= asset.firstCellStream()) return some & withCells;
-  return tile > 0 && stream % 3 == 0 ? 0 : some & ~withCells;
+  if (tile > 0 && stream % 3 == 0) return 0;
+  return some & ~withCells & recordsWithView(asset, asset.tiles[tile], stream);
 }
 
 /// Behind emitted radiance where a kernel has it, else in slot 0.
@@ -264,6 +293,7 @@ Sample makeSample(SampleSize size) {
   addRecords(asset, numbers, size);
   if (size.split) splitRecords(asset);
   if (size.cells) addCells(asset, size.viewFrequency);
+  if (size.coarse) addCoarseViews(asset), addLevel(asset);
   addPages(sample, numbers, size);
   if (size.extensions) addEmission(sample);
   if (size.split) addHiddenParts(sample);

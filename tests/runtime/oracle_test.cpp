@@ -360,6 +360,30 @@ TEST_F(OracleTest, SplitLobesKeepEveryViewsHiddenPart) {
   }
 }
 
+TEST_F(OracleTest, RecordsReadTheViewsOfTheirOwnSpheres) {
+  Square square;
+  square.atlasEdge = 20;
+  square.glossyBoxes = 4;
+  square.viewFrequency = 4;
+  settings_.camera.eye = {0.3f, 1.5f, 0.7f};
+  settings_.camera.tanHalfFov = 1.5f;
+  asset::Asset asset = square.makeAsset();
+  asset.coarseViews = {{3, 92}, {2, 42}, {1, 12}};
+  for (uint32_t r = 0; r < asset.records.size(); ++r)
+    asset.records[r].flags |= r % 4 << asset::kCoarseViewShift;
+  for (uint32_t view = 0; view < asset.info.viewCount; ++view)
+    for (size_t tile = 0; tile < asset.tiles.size(); ++tile) {
+      uint64_t& mask = asset.streamMasks[view * asset.tiles.size() + tile];
+      mask = ~uint64_t(0) >> (64 - asset.tiles[tile].recordCount);
+      for (uint32_t sphere = 1; sphere < 4; ++sphere)  // tiles begin at multiples of 64
+        if (view >= asset.coarseViews[sphere - 1].count) mask &= ~(0x1111111111111111u << sphere);
+    }
+  const auto reader = writeSynthetic(file("spheres.ptb"), asset, [](uint32_t s, uint32_t r, uint32_t slot) {
+    return packBox(randomBox(s, r, slot));
+  });
+  EXPECT_EQ(compare(reader, environmentWithSun(100.0f)), 20u * 20u);
+}
+
 /// Against the closed form, not the oracle: a rectangle's moment is its solid angle times its mean direction.
 TEST_F(OracleTest, ConstantLightIsExactInCosineBoxes) {
   Square square;

@@ -78,6 +78,7 @@ int main(int argc, char** argv) {
   app.add_option("--boxes", options.measure.boxes, "Boxes of a kernel")->capture_default_str();
   app.add_option("--alphas", options.measure.alphas, "GGX alphas that are measured apart")
       ->capture_default_str();
+  app.add_option("--paths", options.measure.paths, "of the kernels")->capture_default_str();
   app.add_option("--reference-paths", options.measure.referencePaths)->capture_default_str();
   app.add_option("--clean-paths", options.measure.cleanPaths)->capture_default_str();
   app.add_option("--rotations", options.probe.rotations, "of every image")->capture_default_str();

@@ -64,7 +64,7 @@ TEST_F(Command, inspectAccountsForEveryByte) {
   EXPECT_EQ(pages,
             bytes["glossyPages"]["stored"].get<uint64_t>() + bytes["diffusePages"]["stored"].get<uint64_t>());
   EXPECT_EQ(bytes["cellPages"]["pages"], 0);
-  EXPECT_EQ(summary["version"], "1.5");
+  EXPECT_EQ(summary["version"], "1.6");
   EXPECT_EQ(summary["counts"]["records"], 70);
   EXPECT_EQ(bytes["diffusePages"]["kernels"], 70);
   EXPECT_EQ(bytes["diffusePages"]["boxes"], 280);
@@ -110,7 +110,7 @@ TEST_F(Command, inspectNamesTheSchemeAndCountsVisibilityMaps) {
   EXPECT_GT(stored, 0u);
   EXPECT_EQ(maps["stored"], stored);
   const std::string text = run("inspect " + file.path.string()).output;
-  EXPECT_NE(text.find("1.5, scheme split"), std::string::npos) << text;
+  EXPECT_NE(text.find("1.6, scheme split"), std::string::npos) << text;
   EXPECT_NE(text.find(fmt::format("3 maps of split records, {} bytes of 3072", stored)), std::string::npos)
       << text;
 }
@@ -157,14 +157,14 @@ TEST_F(Command, inspectCountsCells) {
   EXPECT_EQ(bytes["diffusePages"]["emittedKernels"], 64);
   const std::string text = run("inspect " + file.path.string()).output;
   for (const char* part :
-       {"1.5, scheme cells", "42 (frequency 2), of 24 records", " kernels of the cellPages"})
+       {"1.6, scheme cells", "42 (frequency 2), of 24 records", " kernels of the cellPages"})
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
 TEST_F(Command, inspectPrintsText) {
   const Outcome result = run("inspect " + file.path.string());
   for (const char* part :
-       {"1.5, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
+       {"1.6, scheme sketch", "sample 1.0", "PAGE", "glossy", "diffuse", "12 (frequency 1)"})
     EXPECT_NE(result.output.find(part), std::string::npos) << part << "\n" << result.output;
 }
 

@@ -90,7 +90,7 @@ TEST_F(Damage, messageOfAnotherVersionNamesBothAndTheRemedy) {
     const std::string message = error.what();
     EXPECT_EQ(error.code(), ExitCode::unsupported);
     EXPECT_NE(message.find(file.path.string()), std::string::npos) << message;
-    EXPECT_NE(message.find("version 2.5"), std::string::npos) << message;
+    EXPECT_NE(message.find("version 2.6"), std::string::npos) << message;
     EXPECT_NE(message.find("version 1.x"), std::string::npos) << message;
     EXPECT_NE(message.find("bake the scene again"), std::string::npos) << message;
   }

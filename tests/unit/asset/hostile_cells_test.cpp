@@ -17,7 +17,9 @@ constexpr size_t kCellPage = 28;     // record 0 in cell 1: hidden part, two box
 constexpr size_t kEmittedPage = 29;  // record 3 in cell 1: emitted radiance, hidden part, two boxes
 
 std::function<void(Surgeon&)> toSphere(uint32_t frequency, uint32_t count) {
-  return in<CellSphere>(chunk::kCellSphere, 0, [=](CellSphere& sphere) { sphere = {frequency, count}; });
+  return in<GeodesicSphere>(chunk::kCellSphere, 0, [=](GeodesicSphere& sphere) {
+    sphere = {frequency, count};
+  });
 }
 std::function<void(Surgeon&)> resizeTable(uint32_t type, size_t bytes) {
   return [=](Surgeon& s) {
@@ -28,7 +30,7 @@ std::function<void(Surgeon&)> resizeTable(uint32_t type, size_t bytes) {
 }
 /// A sound sphere where none belongs.
 void addSphere(Surgeon& s) {
-  const CellSphere sphere{2, 42};
+  const GeodesicSphere sphere{2, 42};
   const auto bytes = std::as_bytes(std::span(&sphere, 1));
   s.addChunk(chunk::kCellSphere, Bytes(bytes.begin(), bytes.end()));
 }

@@ -84,7 +84,7 @@ const std::vector<Case> kHiddenCases = {
 
 const std::vector<Case> kHarmless = {
     {"boxesBesideHidden", kernelEnergy, inBox(kPage, 4, [](PackedBox& b) { b.energy[0] = 0x4900; }), kSplit},
-    {"unknownRecordFlag", reserved, inFlags(0, [](uint32_t& flags) { flags |= 8; }), kSplit},
+    {"unknownRecordFlag", reserved, inFlags(0, [](uint32_t& flags) { flags |= 32; }), kSplit},
 };
 
 INSTANTIATE_TEST_SUITE_P(Maps, Hostile, ::testing::ValuesIn(kMapCases), kCaseName);

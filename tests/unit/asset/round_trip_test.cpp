@@ -39,6 +39,8 @@ void expectSame(const Sample& sample, const AssetReader& reader) {
   EXPECT_TRUE(sameBytes(written.tiles, read.tiles));
   EXPECT_TRUE(sameBytes(written.visibilityMaps, read.visibilityMaps));
   EXPECT_TRUE(sameBytes(written.cellSphere, read.cellSphere));
+  EXPECT_TRUE(sameBytes(written.coarseViews, read.coarseViews));
+  EXPECT_TRUE(sameBytes(written.atlasLevels, read.atlasLevels));
   EXPECT_TRUE(sameBytes(written.streamMasks, read.streamMasks));
   for (uint32_t stream = 0; stream < read.streamCount(); ++stream)
     for (uint32_t tile = 0; tile < read.tiles.size(); ++tile)
@@ -68,6 +70,8 @@ INSTANTIATE_TEST_SUITE_P(
         SampleSize{.split = true, .cells = true}, SampleSize{.cosine = true},
         SampleSize{.extensions = false, .split = true, .cells = true},
         SampleSize{.records = 0, .split = true, .cells = true},
+        SampleSize{.viewFrequency = 3, .split = true, .coarse = true},
+        SampleSize{.viewFrequency = 3, .records = 150, .recordsPerTile = 64, .coarse = true},
         SampleSize{.viewFrequency = 2, .records = 70, .recordsPerTile = 64, .split = true, .cells = true}));
 
 TEST(RoundTrip, theSampleHasSplitRecordsWithEmissionAndWithout) {

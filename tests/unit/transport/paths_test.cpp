@@ -244,7 +244,7 @@ TEST(TexelBake, DoubleSidedTexelsHaveTwoRecords) {
   ASSERT_EQ(plans.size(), 2u);
   EXPECT_EQ(plans[0].record.normal[1], 1);
   EXPECT_EQ(plans[1].record.normal[1], -1);
-  const auto atlas = indirection(texel.map, plans);
+  const auto atlas = indirection(texel.map, 0, plans);
   EXPECT_EQ(atlas[0].front, 0u);
   EXPECT_EQ(atlas[0].back, 1u);
 }
