@@ -4,7 +4,7 @@ from pathlib import Path
 
 REFERENCE_PATHS = 1 << 17
 CELLS = "cells, {} directions"
-SPLITS = ["split", *(f"split, {n} hidden" for n in (1, 2, 4)), *(CELLS.format(n) for n in (92, 162, 362, 642))]
+SPLITS = ["split", *(f"split, {n} hidden" for n in (1, 2, 4)), *(f"split, {n} views" for n in (12, 42, 92, 162, 362)), *(CELLS.format(n) for n in (92, 162, 362, 642))]
 CLASSES = ["diffuse", "rough", "sharp"]
 TEXT = (Path(__file__).resolve().parent / "accuracy_page.md").read_text()
 

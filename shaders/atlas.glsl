@@ -20,8 +20,8 @@ AtlasPlace atlasPlace(uvec3 vertices, vec3 weight, PlaneSteps steps) {
   if (!kLevels) return place;
   vec2 size = vec2(frame.atlasSize), dx = size * interpolate2(vertices, steps.dx, kAtlasUvAt),
        dy = size * interpolate2(vertices, steps.dy, kAtlasUvAt);
-  float texels = abs(determinant(mat2(dx, dy)));
-  place.level = clamp(0.5 * log2(max(texels, 1.0)), 0.0, float(frame.atlasLevels - 1));
+  float texels = abs(determinant(mat2(dx, dy)));  // of a plane seen from its edge it may be no number
+  place.level = texels > 1.0 ? min(0.5 * log2(texels), float(frame.atlasLevels - 1)) : 0.0;
   return place;
 }
 
@@ -57,13 +57,13 @@ AtlasCorners atlasCorners(AtlasPlace place, bool front) {
     return corners;
   }
   float coarser = clamp((fract(place.level) - 0.5) / kLevelMixture + 0.5, 0.0, 1.0);
-  uint first = 0, level = uint(place.level);
+  uint first = 0, level = min(uint(place.level), frame.atlasLevels - 1);
   for (uint l = 0; l < level; ++l) {
     first += size.x * size.y;
     size = max(size / 2, ivec2(1));
   }
   if (coarser < 1.0) addCorners(place.uv, front, size, first, 1.0 - coarser, corners);
-  if (coarser > 0.0) addCorners(place.uv, front, max(size / 2, ivec2(1)), first + size.x * size.y, coarser, corners);
+  if (coarser > 0.0 && level + 1 < frame.atlasLevels) addCorners(place.uv, front, max(size / 2, ivec2(1)), first + size.x * size.y, coarser, corners);
   return corners;
 }
 

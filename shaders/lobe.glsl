@@ -16,6 +16,11 @@ struct GgxLobe {
   vec3 albedo;  // that the pixel's factor has for it; 0 if that is exact
 };
 
+const float kWideFrom = 0.005, kWideTo = 0.01;  // wide_lobe.h
+
+/// How much of a lobe is summed by cells of the light (wide_lobe.glsl); the rest is boxes.
+float partByCells(float alpha, float nDotV) { return clamp((alpha * nDotV - kWideFrom) / (kWideTo - kWideFrom), 0.0, 1.0); }
+
 /// A rectangle of the light domain.
 struct Rectangle {
   float u, du;

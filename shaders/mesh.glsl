@@ -80,24 +80,36 @@ PlaneSteps planeSteps(Plane plane, vec2 position) {
                     planeWeights(plane, rayDirection(position + vec2(0.0, 1.0))) - at);
 }
 
-/// How the interpolated normal turns inside a pixel: its variance along a direction of its plane, the larger one, and across.
+/// How the interpolated normal turns inside a pixel: its variance along a unit vector of its plane, the larger one, and across.
 struct NormalTurn {
-  vec3 along;  // not of unit length, 0 if it does not turn
+  vec3 along;
   vec2 variance;
 };
 
+const float kLeastTurn = 1e-5, kMostTurned = 1e3;  // from pixel to pixel: less is rounding, and more says nothing
+
+/// From a pixel to the next, in units of the normal.
+vec3 normalStep(uvec3 vertices, vec3 normal, vec3 weightStep) {
+  vec3 first = vertexVec3(vertices.x, kNormalAt);
+  vec3 step = weightStep.y * (vertexVec3(vertices.y, kNormalAt) - first) + weightStep.z * (vertexVec3(vertices.z, kNormalAt) - first);
+  float size = dot(normal, normal);
+  step -= dot(step, normal) / size * normal;
+  return clamp(step * inversesqrt(size), -kMostTurned, kMostTurned);
+}
+
 /// Of a share of the pixel's area. A square of side 1 has a variance of 1/12 each way.
 NormalTurn normalTurn(uvec3 vertices, vec3 weight, PlaneSteps steps, float share) {
-  vec3 normal = interpolate3(vertices, weight, kNormalAt), dx = interpolate3(vertices, steps.dx, kNormalAt),
-       dy = interpolate3(vertices, steps.dy, kNormalAt);
-  float scale = 1.0 / max(dot(normal, normal), 1e-12);
-  dx -= dot(dx, normal) * scale * normal;
-  dy -= dot(dy, normal) * scale * normal;
+  vec3 normal = interpolate3(vertices, weight, kNormalAt), dx = normalStep(vertices, normal, steps.dx), dy = normalStep(vertices, normal, steps.dy);
+  float most = max(length(dx), length(dy));
+  if (!(most > kLeastTurn)) return NormalTurn(vec3(1.0, 0.0, 0.0), vec2(0.0));
+  dx /= most;
+  dy /= most;
   float xx = dot(dx, dx), yy = dot(dy, dy), xy = dot(dx, dy), mean = 0.5 * (xx + yy), difference = 0.5 * (xx - yy);
   float spread = sqrt(difference * difference + xy * xy);
-  // The eigenvector of the larger variance, in whichever of its two forms is the longer one.
+  // The eigenvector of the larger variance, in whichever of its two forms is the longer one; none if both are the same.
   vec3 along = difference >= 0.0 ? (spread + difference) * dx + xy * dy : xy * dx + (spread - difference) * dy;
-  return NormalTurn(along, vec2(mean + spread, max(mean - spread, 0.0)) * scale * share / 12.0);
+  along = dot(along, along) > 1e-12 ? normalize(along) : normalize(xx > yy ? dx : dy);
+  return NormalTurn(along, vec2(mean + spread, max(mean - spread, 0.0)) * most * most * share / 12.0);
 }
 
 #endif

@@ -131,7 +131,7 @@ vec4 layeredRadiance(uvec2 pixel, Fragment fragment) {
     uint triangle = layer < layerCount() ? loadLayer(layer, sampleIndex(pixel, fragment.first)).x : 0;
     last = triangle == 0;
     float share = weight[last ? kLayers : layer];
-    if (share > 0.0) sum += share * seenRadiance(last ? fragment.triangle : triangle, fragment.position, share / samplesOfPixel());
+    if (share > 0.0) sum += share * seenRadiance(last ? fragment.triangle : triangle, fragment.position, float(fragment.samples) / samplesOfPixel());
     ++layer;
   } while (!last);
   return sum;

@@ -30,7 +30,7 @@ SHARED_CONSTANT kBindRecords = 8;              // GpuRecord
 SHARED_CONSTANT kBindTiles = 9;                // asset::Tile
 SHARED_CONSTANT kBindPageTable = 10;           // PageSlot[streamCount][tileCount]
 SHARED_CONSTANT kBindBoxPools = 11;            // kMaxBoxPools bindings of asset::PackedBox
-SHARED_CONSTANT kBindViews = 15;               // ViewTriangle of the view sphere, of the cells', of the coarse views'
+SHARED_CONSTANT kBindViews = 15;               // ViewTriangle: views, cells, coarse views
 SHARED_CONSTANT kBindSummedArea = 16;          // of the light: see kConstantExactSums
 SHARED_CONSTANT kBindLayers = 17;              // LayerHeader, then uvec2[layer][sample]: triangle + 1, alpha
 SHARED_CONSTANT kBindLayerDepths = 18;         // floats[2][sample]: of the opaque triangle, of the last layer
@@ -98,9 +98,8 @@ SHARED_CONSTANT kConstantBoxPools = 16;      // that resident pages fill
 SHARED_CONSTANT kConstantEmitters = 17;      // has any resident kernel emitted radiance?
 SHARED_CONSTANT kConstantWeights = 18;  // between the views boxes have the mean weight, not the mean energy
 SHARED_CONSTANT kConstantLambert = 19;  // any Lambert kernel
-SHARED_CONSTANT kConstantWide = 20;     // any lobe that is split and wide (wide_lobe.h)
-SHARED_CONSTANT kConstantLevels = 21;   // coarser levels of the atlas
-SHARED_CONSTANT kSurfaceConstants = 22;
+SHARED_CONSTANT kConstantLevels = 20;   // coarser levels of the atlas
+SHARED_CONSTANT kSurfaceConstants = 21;
 SHARED_CONSTANT kConstantTexelBuffers = 31;  // of every shader: the device has large texel buffers
 
 // Tables of floats, one after another: A and B of the specular albedo [n.v][roughness], S of the diffuse

@@ -8,10 +8,8 @@
 
 // Mesa 22.3's lavapipe ends a lane's loops after 65535 rounds of all of them: inner ones are kept short.
 
-layout(constant_id = kConstantWide) const bool kWide = true;
-
 // wide_lobe.h, wide_lobe.cpp
-const float kWideFrom = 0.005, kWideTo = 0.01, kCellsToLobe = 1.25, kCellRadius = 0.75;
+const float kCellsToLobe = 1.25, kCellRadius = 0.75;
 const uint kMostHiddenLevel = 3;
 
 /// light_tree.h: LightCell; the light in units of the moments.
@@ -216,9 +214,9 @@ ClippedLobe seeByCells(GgxLobe lobe, FilteredMaps maps) {
 
 /// wide_lobe.h: seeLobe.
 ClippedLobe seeLobe(GgxLobe lobe, FilteredMaps maps, bool wanted) {
-  float part = kWide ? clamp((min(lobe.alpha.x, lobe.alpha.y) * lobe.view.z - kWideFrom) / (kWideTo - kWideFrom), 0.0, 1.0) : 0.0;
+  float part = partByCells(min(lobe.alpha.x, lobe.alpha.y), lobe.view.z);
   ClippedLobe seen = clipLobe(lobe, maps, wanted && part < 1.0);
-  if (!kWide || part == 0.0 || !wanted || maps.count == 0) return seen;
+  if (part == 0.0 || !wanted || maps.count == 0) return seen;
   ClippedLobe cells = seeByCells(lobe, maps);
   return ClippedLobe(mix(seen.radiance, cells.radiance, part), mix(seen.hidden, cells.hidden, part), mix(seen.towards, cells.towards, part));
 }

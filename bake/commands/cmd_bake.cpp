@@ -64,6 +64,12 @@ void announce(const BakeCost& cost) {
              cost.records, cost.kernels, double(cost.paths) * 1e-6, mebibytes(cost.pageBytes), maps);
 }
 
+void addLevels(const Scene& scene, TexelMap& map, uint32_t levels) {
+  if (const std::string reason = addCoarserLevels(scene, map, levels); !reason.empty())
+    log().warn("{}: {} of {} levels of the atlas: {}", scene.path.string(), 1 + map.coarser.size(), levels,
+               reason);
+}
+
 /// Prints and draws one kernel.
 void study(const KernelStudy& found, const BakeOptions& options, const CommonOptions& common) {
   fmt::print("{}", common.json ? kernelToJson(found).dump(2) + "\n" : kernelToText(found));
@@ -80,7 +86,7 @@ void bake(BakeOptions options, const CommonOptions& common) {
   const ProgressStyle progress = common.quiet ? ProgressStyle::none : common.progress;
   const AtlasReport atlas = chooseAtlas(scene, {options.atlas, atlasSources().at(options.atlasUv), progress});
   TexelMap map = makeTexels(scene, options.atlas, options.atlas);
-  if (options.texel.empty()) addCoarserLevels(scene, map, options.levels);
+  if (options.texel.empty()) addLevels(scene, map, options.levels);
   const Intersector world(scene);
   const std::vector<RecordPlan> records =
       planRecords(world, map, schemes().at(options.scheme), viewsByRoughness(options));

@@ -148,31 +148,40 @@ Json coarseViewsToJson(const Asset& asset) {
   return spheres;
 }
 
+/// Level by level of the atlas.
+std::vector<uint64_t> recordsOfLevels(const Asset& asset) {
+  std::vector<uint64_t> records(asset.levelCount());
+  for (const asset::TexelRecord& record : asset.records) ++records[record.level];
+  return records;
+}
+
 Json toJson(const AssetReader& reader) {
   const Asset& asset = reader.asset();
   const asset::Info& info = asset.info;
   const Summary summary = summarise(reader);
-  return {
-      {"file", reader.path().string()},
-      {"version", fmt::format("{}.{}", reader.header().majorVersion, reader.header().minorVersion)},
-      {"scheme", asset::schemeName(asset.scheme)},
-      {"provenance", asset.provenance},
-      {"bounds", {{"min", info.boundsMin}, {"max", info.boundsMax}}},
-      {"atlas",
-       {{"width", info.atlasWidth}, {"height", info.atlasHeight}, {"coveredTexels", summary.coveredTexels}}},
-      {"views", {{"frequency", info.viewFrequency}, {"count", info.viewCount}}},
-      {"counts",
-       {{"vertices", info.vertexCount},
-        {"triangles", info.triangleCount},
-        {"materials", info.materialCount},
-        {"textures", info.textureCount},
-        {"records", info.recordCount},
-        {"tiles", info.tileCount}}},
-      {"visibilityMaps", mapsToJson(reader)},
-      {"coarseViews", coarseViewsToJson(asset)},
-      {"cells", cellsToJson(asset)},
-      {"materialTerms", materialTerms(asset)},
-      {"bytes", bytesToJson(reader, summary)}};
+  return {{"file", reader.path().string()},
+          {"version", fmt::format("{}.{}", reader.header().majorVersion, reader.header().minorVersion)},
+          {"scheme", asset::schemeName(asset.scheme)},
+          {"provenance", asset.provenance},
+          {"bounds", {{"min", info.boundsMin}, {"max", info.boundsMax}}},
+          {"atlas",
+           {{"width", info.atlasWidth},
+            {"height", info.atlasHeight},
+            {"coveredTexels", summary.coveredTexels},
+            {"recordsOfLevels", recordsOfLevels(asset)}}},
+          {"views", {{"frequency", info.viewFrequency}, {"count", info.viewCount}}},
+          {"counts",
+           {{"vertices", info.vertexCount},
+            {"triangles", info.triangleCount},
+            {"materials", info.materialCount},
+            {"textures", info.textureCount},
+            {"records", info.recordCount},
+            {"tiles", info.tileCount}}},
+          {"visibilityMaps", mapsToJson(reader)},
+          {"coarseViews", coarseViewsToJson(asset)},
+          {"cells", cellsToJson(asset)},
+          {"materialTerms", materialTerms(asset)},
+          {"bytes", bytesToJson(reader, summary)}};
 }
 
 void printPages(const char* name, const Json& pages) {
@@ -224,6 +233,8 @@ void printText(const Json& summary) {
         fmt::format("{} to {} m", pointText(summary["bounds"]["min"]), pointText(summary["bounds"]["max"])));
   print("atlas", fmt::format("{}x{} texels, {} with a record", atlas["width"].dump(), atlas["height"].dump(),
                              atlas["coveredTexels"].dump()));
+  if (const Json& levels = atlas["recordsOfLevels"]; levels.size() > 1)
+    print("levels", fmt::format("{}, of {} records", levels.size(), levels.dump()));
   print("views", fmt::format("{} (frequency {})", views["count"].dump(), views["frequency"].dump()));
   for (const auto& [key, value] : summary["counts"].items()) print(key.c_str(), value.dump());
   for (const auto& [key, value] : summary["materialTerms"].items())

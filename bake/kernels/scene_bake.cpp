@@ -4,6 +4,8 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
+#include <cassert>
+
 namespace boxlight {
 namespace {
 
@@ -161,7 +163,9 @@ BakedScene bakeScene(const Intersector& world, const TexelMap& map, const std::v
   if (result.scheme == asset::Scheme::cells) result.cellSphere = {sphereOf(options.cellFrequency)};
   uint32_t coarsest = 0;
   for (const RecordPlan& plan : records) coarsest = std::max(coarsest, plan.viewSphere());
-  for (uint32_t s = 0; s < coarsest; ++s) result.coarseViews.push_back(sphereOf(kCoarseViews[s].frequency));
+  assert(coarsest == 0 || kViewsByRoughness[0].frequency < sphere.frequency());
+  for (uint32_t s = 0; s < coarsest; ++s)
+    result.coarseViews.push_back(sphereOf(kViewsByRoughness[s].frequency));
   result.streamMasks.assign(result.streamCount() * result.tiles.size(), 0);
   baked.pages.resize(result.streamMasks.size());
   std::vector<TileResult> tiles(result.tiles.size());

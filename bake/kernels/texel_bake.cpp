@@ -25,7 +25,7 @@ std::vector<PackedBox> pack(const std::vector<Box>& boxes, size_t count) {
 
 std::vector<ViewSphere> viewSpheres(const ViewSphere& sphere) {
   std::vector<ViewSphere> spheres{sphere};
-  for (const CoarseViews& coarse : kCoarseViews) spheres.emplace_back(coarse.frequency);
+  for (const CoarseViews& coarse : kViewsByRoughness) spheres.emplace_back(coarse.frequency);
   return spheres;
 }
 
@@ -112,7 +112,9 @@ void TexelBaker::bakeSplit(const PathOrigin& origin, const GlossyKernels& kernel
     if (!stored[view]) continue;
     traceView(origin, view, kernels, result);
     const bool isDark = !(maxComponent(paths_.emission()) > 0.0f);
-    if (isDark && paths_.hiddenPart() < KernelOptions::kLeastHiddenPart) continue;
+    if (isDark && paths_.hiddenPart() <
+                      KernelOptions::leastHiddenPart(kernels.sphere.frequency() < spheres_[0].frequency()))
+      continue;
     paths_.removeMirrored();
     result.glossy[view] = hiddenKernel(kernels.slots);
   }

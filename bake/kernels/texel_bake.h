@@ -46,6 +46,8 @@ struct KernelOptions {
   /// what the views around say of their hidden parts, or else the rest of the lobe (docs/theory.md, section
   /// 5).
   static constexpr float kLeastHiddenPart = 1.0f / 64;
+  /// Coarse views lie too far apart to speak for one that says nothing: they keep any hidden part.
+  static float leastHiddenPart(bool coarse) { return coarse ? 1e-6f : kLeastHiddenPart; }
 };
 
 /// How a Lambert kernel is fitted: at most three quarters of its boxes stand for the light that arrives
@@ -69,7 +71,7 @@ struct RecordKernels {
   double energy = 0, removed = 0;  ///< luminance of all deposits, and what PathLimits::throughput took
 };
 
-/// The bake's sphere of views, then those of kCoarseViews: by RecordPlan::viewSphere.
+/// The bake's sphere of views, then those of kViewsByRoughness: by RecordPlan::viewSphere.
 std::vector<ViewSphere> viewSpheres(const ViewSphere& sphere);
 
 /// Bakes records one by one; owns scratch memory, so keep one per thread. What it returns depends on its

@@ -98,8 +98,8 @@ bool fillsCells(const RecordPlan& plan, const TexelMeans& means) {
 /// Of a split record's views: asset::viewSphereOf.
 uint32_t viewSphereFor(const RecordPlan& plan, const TexelMeans& means) {
   uint32_t sphere = 0;
-  for (uint32_t s = 0; s < kCoarseViews.size(); ++s)
-    if (plan.unmirrored == 0 && means.sharpestAlpha >= kCoarseViews[s].leastAlpha) sphere = s + 1;
+  for (uint32_t s = 0; s < kViewsByRoughness.size(); ++s)
+    if (plan.unmirrored == 0 && means.sharpestAlpha >= kViewsByRoughness[s].leastAlpha) sphere = s + 1;
   return sphere;
 }
 
@@ -126,7 +126,7 @@ std::vector<RecordPlan> planTexel(const Intersector& world, const TexelMap& map,
     if (scheme == asset::Scheme::cells && fillsCells(plans[side], means))
       plans[side].record.flags |= asset::kDirectionCells;
     else if (coarseViews)
-      plans[side].record.flags |= viewSphereFor(plans[side], means) << asset::kCoarseViewShift;
+      plans[side].record.flags |= viewSphereFor(plans[side], means) << asset::kViewSphereShift;
   }
   return plans;
 }

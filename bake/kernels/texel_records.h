@@ -23,7 +23,7 @@ struct RecordPlan {
   bool isSplit() const { return (record.flags & asset::kSplitLobe) != 0; }
   /// Are their hidden parts stored for the directions that light comes from? (asset::Scheme::cells)
   bool hasCells() const { return (record.flags & asset::kDirectionCells) != 0; }
-  /// Of its views: 0 is the bake's own sphere, others are kCoarseViews[number - 1].
+  /// Of its views: 0 is the bake's own sphere, others are kViewsByRoughness[number - 1].
   uint32_t viewSphere() const { return asset::viewSphereOf(record.flags); }
   PathOrigin origin(const Intersector& world, const TexelMap& map) const;
 };
@@ -37,7 +37,7 @@ struct CoarseViews {
   uint32_t frequency;  ///< of their sphere
   float leastAlpha;
 };
-inline constexpr std::array<CoarseViews, 2> kCoarseViews = {{{2, 0.15f}, {1, 0.35f}}};
+inline constexpr std::array<CoarseViews, 2> kViewsByRoughness = {{{2, 0.15f}, {1, 0.35f}}};
 
 /// The records of a scene, level after level, in texel order: the front of every covered texel; the back
 /// where it is seen (double-sided, and reached by light from outside) or where diffuse transmission gathers

@@ -99,7 +99,7 @@ inline constexpr uint32_t kTiles = fourCc("TILE");    ///< Tile[tileCount]
 inline constexpr uint32_t kVisibilityMaps =
     fourCc("VISI");                                      ///< VisibilityMap[records with kSplitLobe]; optional
 inline constexpr uint32_t kCellSphere = fourCc("CELL");  ///< one GeodesicSphere; optional
-inline constexpr uint32_t kCoarseViews = fourCc("VIEW");  ///< GeodesicSphere[1 to kMaxCoarseViews]; optional
+inline constexpr uint32_t kCoarseViews = fourCc("VIEW");  ///< GeodesicSphere[0 to kMaxCoarseViews]; optional
 inline constexpr uint32_t kStreamMasks = fourCc("MASK");  ///< uint64_t[streamCount][tileCount]
 inline constexpr uint32_t kPageIndex = fourCc("PGIX");    ///< PageEntry[streamCount][tileCount]
 inline constexpr uint32_t kPages = fourCc("PAGE");        ///< PackedBox pages, stream-major; isPaged
@@ -237,16 +237,16 @@ enum RecordFlags : uint32_t {
   /// Of a split record: what other surfaces send is stored for the directions that it comes from, not for
   /// those that it leaves in; Scheme::cells.
   kDirectionCells = 1u << 2,
-  /// Two bits, n << kCoarseViewShift: its views are those of entry n - 1 of VIEW, 0: of Info. Not beside
+  /// Two bits, n << kViewSphereShift: its views are those of entry n - 1 of VIEW, 0: of Info. Not beside
   /// kDirectionCells.
-  kCoarseViews = 3u << 3,
+  kViewSphereBits = 3u << 3,
 };
-inline constexpr uint32_t kKnownRecordFlags = kBackSide | kSplitLobe | kDirectionCells | kCoarseViews;
-inline constexpr uint32_t kCoarseViewShift = 3;
+inline constexpr uint32_t kKnownRecordFlags = kBackSide | kSplitLobe | kDirectionCells | kViewSphereBits;
+inline constexpr uint32_t kViewSphereShift = 3;
 inline constexpr uint32_t kMaxCoarseViews = 3;  ///< spheres
 /// 0 for the sphere of Info, else 1 + the entry of VIEW.
 constexpr uint32_t viewSphereOf(uint32_t recordFlags) {
-  return (recordFlags & kCoarseViews) >> kCoarseViewShift;
+  return (recordFlags & kViewSphereBits) >> kViewSphereShift;
 }
 
 /// One side of one texel: where its kernels were traced, and with which first-hit parameters (means over the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which streams there are, and which records have kernels in them.
 #include <algorithm>
+#include <array>
 
 #include "common/asset/asset_checks.h"
 #include "common/asset/number_checks.h"
@@ -47,13 +48,6 @@ uint64_t recordsWhere(const Asset& asset, const Tile& tile, Predicate&& holds) {
   return bits;
 }
 
-/// How many views a record's sphere has. One that does not exist, which is an error of its own, has none.
-uint32_t viewsOf(const Asset& asset, uint32_t record) {
-  const uint32_t sphere = asset.viewSphere(record);
-  if (sphere == 0) return asset.info.viewCount;
-  return sphere <= asset.coarseViews.size() ? asset.coarseViews[sphere - 1].count : 0;
-}
-
 void checkMask(const Asset& asset, uint32_t stream, uint32_t tile, const Reporter& report) {
   const uint64_t mask = asset.mask(stream, tile);
   const uint32_t records = asset.tiles[tile].recordCount;
@@ -66,18 +60,28 @@ void checkMask(const Asset& asset, uint32_t stream, uint32_t tile, const Reporte
 }
 
 /// A record has its gloss in the streams of its own sphere's views, or in those of the cells.
-void checkGlossyMask(const Asset& asset, uint32_t stream, uint32_t tile, const Reporter& report) {
-  const bool isCell = stream >= asset.firstCellStream();
-  const uint64_t mask = asset.mask(stream, tile);
-  const auto refuse = [&](const char* what, auto&& holds) {
-    const uint64_t strangers = mask & recordsWhere(asset, asset.tiles[tile], holds);
-    if (strangers != 0)
-      report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile), "bits {:#x} are of records {}",
-             strangers, what);
-  };
-  refuse(isCell ? "without direction cells" : "with direction cells",
-         [&](uint32_t record) { return asset.hasCells(record) != isCell; });
-  if (!isCell) refuse("with fewer views", [&](uint32_t record) { return stream >= viewsOf(asset, record); });
+void checkGlossyMasks(const Asset& asset, uint32_t tile, bool withViews, const Reporter& report) {
+  const auto where = [&](auto&& holds) { return recordsWhere(asset, asset.tiles[tile], holds); };
+  const uint64_t withCells = where([&](uint32_t record) { return asset.hasCells(record); });
+  std::array<uint64_t, kMaxCoarseViews> ofSphere{};
+  for (uint32_t s = 0; s < ofSphere.size(); ++s)
+    ofSphere[s] = where([&](uint32_t record) { return asset.viewSphere(record) == s + 1; });
+  for (uint32_t stream = 0; stream < asset.streamCount(); ++stream) {
+    const uint64_t mask = asset.mask(stream, tile);
+    if (stream == asset.diffuseStream() || mask == 0) continue;
+    const auto refuse = [&](uint64_t strangers, const char* what) {
+      if (strangers & mask)
+        report(maskBits, chunk::kStreamMasks, pagePlace(asset, stream, tile), "bits {:#x} are of records {}",
+               strangers & mask, what);
+    };
+    if (stream >= asset.firstCellStream()) {
+      refuse(~withCells, "without direction cells");
+      continue;
+    }
+    refuse(withCells, "with direction cells");
+    for (uint32_t s = 0; withViews && s < asset.coarseViews.size() && s < ofSphere.size(); ++s)
+      if (stream >= asset.coarseViews[s].count) refuse(ofSphere[s], "with fewer views");
+  }
 }
 
 }  // namespace
@@ -98,8 +102,7 @@ void checkMasks(const Asset& asset, const ChunkSet& present, const Reporter& rep
     for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile) checkMask(asset, stream, tile, report);
   if (!present.has({chunk::kRecords})) return;
   for (uint32_t tile = 0; tile < asset.tiles.size(); ++tile)
-    for (uint32_t stream = 0; stream < asset.streamCount(); ++stream)
-      if (stream != asset.diffuseStream()) checkGlossyMask(asset, stream, tile, report);
+    checkGlossyMasks(asset, tile, present.has({chunk::kCoarseViews}), report);
 }
 
 void checkCells(const Asset& asset, const ChunkSet& present, const Reporter& report) {

@@ -107,7 +107,7 @@ LightSettings FrameRenderer::Parts::lightSettings() const {
   return {.size = settings.lightSize,
           .scheme = settings.satScheme,
           .moments = needsMoments(reader.asset()),
-          .lightTrees = hasWideLobes(reader.asset())};
+          .lightTrees = hasSplitLobes(reader.asset())};
 }
 
 SurfaceConstants FrameRenderer::Parts::makeConstants() const {

@@ -52,16 +52,6 @@ bool hasSheen(const asset::Asset& asset) {
 
 bool hasSplitLobes(const asset::Asset& asset) { return !asset.visibilityMaps.empty(); }
 
-bool hasWideLobes(const asset::Asset& asset) {
-  const auto isWide = [](float roughness) { return roughness * roughness > kWideFrom; };
-  return hasSplitLobes(asset) &&
-         (std::any_of(asset.materials.begin(), asset.materials.end(),
-                      [&](const asset::Material& material) { return isWide(material.roughness); }) ||
-          anyExtension(asset, [&](const asset::MaterialExtension& e) {
-            return e.clearcoat > 0.0f && isWide(e.clearcoatRoughness);
-          }));
-}
-
 bool hasDirectionCells(const asset::Asset& asset) { return !asset.cellSphere.empty(); }
 
 SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
@@ -82,7 +72,6 @@ SurfaceConstants surfaceConstants(const asset::Asset& asset, uint32_t layers) {
   constants[kConstantNormalMapped] = isNormalMapped(asset);
   constants[kConstantSplit] = hasSplitLobes(asset);
   constants[kConstantLambert] = hasLambertKernels(asset);
-  constants[kConstantWide] = hasWideLobes(asset);
   constants[kConstantCells] = hasDirectionCells(asset);
   constants[kConstantLevels] = !asset.atlasLevels.empty();
   return constants;

@@ -12,12 +12,12 @@ namespace boxlight::gpu {
 bool isGlossy(const asset::Asset& asset);
 /// Has any record a Lambert kernel?
 bool hasLambertKernels(const asset::Asset& asset);
-/// May any pixel have a split lobe that is seen by cells of the light (wide_lobe.h)? Textures only reduce
-/// what a material says.
-bool hasWideLobes(const asset::Asset& asset);
+/// Are any lobes split into what the pixel sees straight and what kernels hold?
+bool hasSplitLobes(const asset::Asset& asset);
+
 /// Are the light's moments asked for?
 inline bool needsMoments(const asset::Asset& asset) {
-  return hasLambertKernels(asset) || hasWideLobes(asset);
+  return hasLambertKernels(asset) || hasSplitLobes(asset);
 }
 /// Has any material alpha that is coverage?
 bool isBlended(const asset::Asset& asset);
@@ -26,8 +26,6 @@ bool isNormalMapped(const asset::Asset& asset);
 bool hasSheen(const asset::Asset& asset);
 /// Does any record store what it sees of other surfaces by the directions that light comes from?
 bool hasDirectionCells(const asset::Asset& asset);
-/// Are any lobes split into what the pixel sees straight and what kernels hold?
-bool hasSplitLobes(const asset::Asset& asset);
 
 /// What the shaders that look at surfaces are specialised to, by kConstant... of shaders/shared.h: whatever
 /// an asset does not have is not compiled in.

@@ -179,7 +179,7 @@ void addCells(Asset& asset, uint32_t viewFrequency) {
 
 void addCoarseViews(Asset& asset) {
   asset.coarseViews = {{2, 42}, {1, 12}};
-  for (uint32_t i = 0; i < asset.records.size(); ++i) asset.records[i].flags |= i % 3 << kCoarseViewShift;
+  for (uint32_t i = 0; i < asset.records.size(); ++i) asset.records[i].flags |= i % 3 << kViewSphereShift;
 }
 
 /// The last two records move to the first coarser level of the atlas, of their sides.

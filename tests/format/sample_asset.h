@@ -24,8 +24,8 @@ struct SampleSize {
   bool split = false;      ///< what format 1.2 added: of three records, the first and the third are split
   bool cells = false;      ///< what format 1.3 added, with `split`: the first of three has direction cells
   bool cosine = false;     ///< what format 1.4 added: one slot in two of Lambert kernels is a cosine box
-  bool coarse = false;     ///< what format 1.6 added, of frequency 3: record n has views of sphere n mod 3, and the
-                           ///< last records are those of a coarser level of the atlas
+  bool coarse = false;  ///< what format 1.6 added, of frequency 3: record n has views of sphere n mod 3, and
+                        ///< the last records are those of a coarser level of the atlas
 };
 
 Sample makeSample(SampleSize size = {});

@@ -25,7 +25,7 @@ struct MeasureOptions {
   std::vector<uint32_t> boxes{1, 2, 4, 8, 16, 32, 64};
   std::vector<float> alphas{0.02f, 0.1f, 0.3f};  ///< that are measured apart
   std::vector<uint32_t> cells{3, 4, 6, 8};       ///< frequencies of their sphere
-  std::vector<uint32_t> views{1, 2, 4, 6};       ///< of other view spheres than that of 92
+  std::vector<uint32_t> views{1, 2, 3, 4, 6};    ///< of view spheres
 };
 
 /// Kernels as they are at the views themselves.

@@ -133,8 +133,10 @@ void trySplit(SplitTexel& texel, const MeasureOptions& options, Row about, Sampl
     about.method = std::move(method);
     sample.trials.push_back({about, std::move(radiances)});
   };
-  add("split", texel.byViews(KernelOptions{}.hiddenBoxes(false)));
-  for (const uint32_t boxes : {1u, 2u, 4u}) add(fmt::format("split, {} hidden", boxes), texel.byViews(boxes));
+  const uint32_t usual = texel.usualFrequency();
+  add("split", texel.byViews(KernelOptions{}.hiddenBoxes(false), usual));
+  for (const uint32_t boxes : {1u, 2u, 4u})
+    add(fmt::format("split, {} hidden", boxes), texel.byViews(boxes, usual));
   for (const uint32_t frequency : options.views)
     add(fmt::format("split, {} views", ViewSphere(frequency).viewCount()),
         texel.byViews(KernelOptions{}.hiddenBoxes(false), frequency));

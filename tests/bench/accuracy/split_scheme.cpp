@@ -75,12 +75,20 @@ const KernelPaths& SplitTexel::pathsOf(const ViewSphere& sphere, uint32_t view) 
   return place->second;
 }
 
+uint32_t SplitTexel::usualFrequency() const {
+  const float alpha = subject_.plan.record.roughness * subject_.plan.record.roughness;
+  uint32_t frequency = scene_.sphere().frequency();
+  for (const CoarseViews& coarse : kViewsByRoughness)
+    if (alpha >= coarse.leastAlpha) frequency = coarse.frequency;
+  return frequency;
+}
+
 Radiances SplitTexel::byViews(uint32_t boxes, uint32_t frequency) {
   const ViewSphere sphere(frequency);
   const Stored stored = around(sphere, direction_, [&](uint32_t view) -> Stored {
     KernelPaths paths = pathsOf(sphere, view);
     const double part = paths.hiddenPart();
-    if (part < double(KernelOptions::kLeastHiddenPart)) return {};
+    if (part < double(KernelOptions::leastHiddenPart(frequency < scene_.sphere().frequency()))) return {};
     paths.removeMirrored();
     return {fit(paths, boxes), part};
   });

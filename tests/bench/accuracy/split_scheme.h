@@ -19,9 +19,11 @@ class SplitTexel {
   SplitTexel(const LabScene& scene, const Subject& subject, vec3 direction,
              const std::vector<ProbeLight>& lights, uint32_t paths);
 
+  /// Of the views that a bake gives the texel (kViewsByRoughness).
+  uint32_t usualFrequency() const;
   /// With kernels of this many boxes for the three nearest views of a sphere of this frequency (3: 92); those
-  /// that hide less than KernelOptions::kLeastHiddenPart have none.
-  Radiances byViews(uint32_t boxes, uint32_t frequency = 3);
+  /// that hide less than KernelOptions::leastHiddenPart have none.
+  Radiances byViews(uint32_t boxes, uint32_t frequency);
   /// With kernels for the directions of a geodesic sphere.
   Radiances byCells(uint32_t frequency, uint32_t boxes) const;
 

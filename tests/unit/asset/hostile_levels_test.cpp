@@ -27,7 +27,7 @@ std::function<void(Surgeon&)> resizeTable(uint32_t type, size_t bytes) {
 }
 std::function<void(Surgeon&)> toViews(size_t record, uint32_t sphere) {
   return inFlags(record, [=](uint32_t& flags) {
-    flags = (flags & ~uint32_t(kCoarseViews)) | sphere << kCoarseViewShift;
+    flags = (flags & ~uint32_t(kViewSphereBits)) | sphere << kViewSphereShift;
   });
 }
 /// Of a stream of three tiles.

@@ -49,7 +49,7 @@ TEST(AtlasLevels, EndWhereTexelsWouldBeTooFewOrChartsWouldMix) {
   EXPECT_EQ(map.coarser.back().width, kLeastLevelSize);
   Scene checkered =
       test::makeScene(test::lambert());  // 8 x 8 charts with a gutter of a sixteenth of their width
-  for (int i = 0; i < 64; ++i) {
+  for (int i = 0; i < 100; ++i) {
     const vec2 at = vec2(i % 8, i / 8) / 8.0f;
     test::addQuad(checkered, {float(3 * i), 0, 0}, {1, 0, 0}, {0, 0, -1}, at, at + vec2(15.0f / 128));
   }
@@ -61,7 +61,7 @@ TEST(AtlasLevels, EndWhereTexelsWouldBeTooFewOrChartsWouldMix) {
 
 class BakedLevels : public ::testing::Test {
  protected:
-  BakedLevels() : scene_(corner()), world_(scene_), map_(makeTexels(scene_, 16, 16)) {
+  BakedLevels() : scene_(corner()), world_(scene_), map_(makeTexels(scene_, 20, 20)) {
     addCoarserLevels(scene_, map_, 2);
     records_ = planRecords(world_, map_, asset::Scheme::split, true);
     baked_ = bakeScene(world_, map_, records_, ViewSphere(3), {64, 8, {}, 3}, ProgressStyle::none);
@@ -77,17 +77,17 @@ class BakedLevels : public ::testing::Test {
 
 TEST_F(BakedLevels, HaveRecordsAndTilesOfTheirOwn) {
   ASSERT_EQ(asset().levelCount(), 2u);
-  EXPECT_EQ(asset().records.size(), 256u + 64u);
-  EXPECT_EQ(asset().levelSize(1), uvec2(8));
+  EXPECT_EQ(asset().records.size(), 400u + 100u);
+  EXPECT_EQ(asset().levelSize(1), uvec2(10));
   std::set<uint32_t> shown;
-  for (uint32_t i = 0; i < 64; ++i) {
+  for (uint32_t i = 0; i < 100; ++i) {
     const uint32_t r = asset().atlasLevels[i].front;
     ASSERT_LT(r, asset().records.size());
     EXPECT_EQ(asset().records[r].level, 1u);
-    EXPECT_EQ(asset().records[r].atlasX + 8 * asset().records[r].atlasY, i);
+    EXPECT_EQ(asset().records[r].atlasX + 10 * asset().records[r].atlasY, i);
     shown.insert(r);
   }
-  EXPECT_EQ(shown.size(), 64u);
+  EXPECT_EQ(shown.size(), 100u);
   for (const asset::Tile& tile : asset().tiles)
     EXPECT_EQ(asset().records[tile.firstRecord].level,
               asset().records[tile.firstRecord + tile.recordCount - 1].level);
@@ -102,25 +102,29 @@ TEST_F(BakedLevels, AreTheMeansOfFinerTexels) {
   Image map = makeImage(32, 16, 3);
   for (size_t i = 0; i < map.pixels.size(); ++i) map.pixels[i] = float(1 + i / 96 % 16) / 8.0f;
   const SummedArea light(map);
-  double worst = 0, same = 0;
-  for (uint32_t i = 0; i < 64; ++i) {
-    dvec3 mean(0.0);
-    for (uint32_t k = 0; k < 4; ++k)
-      mean += relighter
-                  .relight(asset().atlas[(2 * (i / 8) + k / 2) * 16 + 2 * (i % 8) + k % 2].front, {0, 5, 3},
-                           light)
-                  .diffuse /
-              4.0;
-    const dvec3 coarse = relighter.relight(asset().atlasLevels[i].front, {0, 5, 3}, light).diffuse;
-    worst = std::max(worst, std::abs(coarse.x / mean.x - 1));
-    same += coarse == mean;
+  const vec3 eye(0, 5, 3);
+  double worst = 0, worstHidden = 0, worstGloss = 0, same = 0;
+  for (uint32_t i = 0; i < 100; ++i) {
+    TexelRadiance mean;
+    for (uint32_t k = 0; k < 4; ++k) {
+      const uint32_t texel = (2 * (i / 10) + k / 2) * 20 + 2 * (i % 10) + k % 2;
+      const TexelRadiance fine = relighter.relight(asset().atlas[texel].front, eye, light);
+      mean.diffuse += fine.diffuse / 4.0, mean.glossy += fine.glossy / 4.0, mean.hidden += fine.hidden / 4;
+    }
+    const TexelRadiance coarse = relighter.relight(asset().atlasLevels[i].front, eye, light);
+    worst = std::max(worst, std::abs(coarse.diffuse.x / mean.diffuse.x - 1));
+    worstHidden = std::max(worstHidden, std::abs(coarse.hidden - mean.hidden));
+    worstGloss = std::max(worstGloss, std::abs(coarse.glossy.x - mean.glossy.x));
+    same += coarse.diffuse == mean.diffuse;
   }
   EXPECT_LT(worst, 0.04);
+  EXPECT_LT(worstHidden, 0.15);
+  EXPECT_LT(worstGloss, 0.15);
   EXPECT_EQ(same, 0);
 }
 
 TEST_F(BakedLevels, LeaveTheFinestLevelAsItWas) {
-  const TexelMap alone = makeTexels(scene_, 16, 16);
+  const TexelMap alone = makeTexels(scene_, 20, 20);
   const auto records = planRecords(world_, alone, asset::Scheme::split, true);
   const BakedScene single =
       bakeScene(world_, alone, records, ViewSphere(3), {64, 8, {}, 3}, ProgressStyle::none);
