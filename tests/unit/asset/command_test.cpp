@@ -161,6 +161,22 @@ TEST_F(Command, inspectCountsCells) {
     EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
 }
 
+TEST_F(Command, inspectCountsCoarseViewsAndLevels) {
+  const auto inspected = [&] {
+    return nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
+  };
+  EXPECT_TRUE(inspected()["coarseViews"].empty());
+  EXPECT_EQ(inspected()["atlas"]["recordsOfLevels"], nlohmann::json({5}));
+  asset::makeSample({.viewFrequency = 3, .records = 9, .split = true, .coarse = true}).write(file.path);
+  EXPECT_EQ(inspected()["coarseViews"], nlohmann::json({{{"frequency", 2}, {"count", 42}, {"records", 3}},
+                                                        {{"frequency", 1}, {"count", 12}, {"records", 3}}}));
+  EXPECT_EQ(inspected()["atlas"]["recordsOfLevels"], nlohmann::json({7, 2}));
+  const std::string text = run("inspect " + file.path.string()).output;
+  for (const char* part :
+       {"42 (frequency 2), of 3 records", "12 (frequency 1), of 3 records", "2, of [7,2] records"})
+    EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+}
+
 TEST_F(Command, inspectPrintsText) {
   const Outcome result = run("inspect " + file.path.string());
   for (const char* part :
