@@ -166,7 +166,7 @@ TEST_F(Command, inspectCountsCoarseViewsAndLevels) {
     return nlohmann::json::parse(run("inspect " + file.path.string() + " --json").output);
   };
   EXPECT_TRUE(inspected()["coarseViews"].empty());
-  EXPECT_EQ(inspected()["atlas"]["recordsOfLevels"], nlohmann::json({5}));
+  EXPECT_EQ(inspected()["atlas"]["recordsOfLevels"], nlohmann::json({70}));
   asset::makeSample({.viewFrequency = 3, .records = 9, .split = true, .coarse = true}).write(file.path);
   EXPECT_EQ(inspected()["coarseViews"], nlohmann::json({{{"frequency", 2}, {"count", 42}, {"records", 3}},
                                                         {{"frequency", 1}, {"count", 12}, {"records", 3}}}));
