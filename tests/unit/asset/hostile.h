@@ -48,6 +48,15 @@ inline std::function<void(Surgeon&)> inFlags(size_t record, std::function<void(u
   return in<TexelRecord>(chunk::kRecords, record, [=](TexelRecord& r) { change(r.flags); });
 }
 
+/// A table of another length, cut or with zeros at its end.
+inline std::function<void(Surgeon&)> resizeTable(uint32_t type, size_t bytes) {
+  return [=](Surgeon& s) {
+    Bytes table = s.chunk(type);
+    table.resize(bytes);
+    s.setChunk(type, table);
+  };
+}
+
 /// What validation finds in a sample after an edit; the edited file stays as long as `file`.
 inline Validation validationAfter(const SampleSize& size, const std::function<void(Surgeon&)>& operate,
                                   const TemporaryFile& file = {}) {

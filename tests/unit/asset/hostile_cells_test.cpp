@@ -21,13 +21,6 @@ std::function<void(Surgeon&)> toSphere(uint32_t frequency, uint32_t count) {
     sphere = {frequency, count};
   });
 }
-std::function<void(Surgeon&)> resizeTable(uint32_t type, size_t bytes) {
-  return [=](Surgeon& s) {
-    Bytes table = s.chunk(type);
-    table.resize(bytes);
-    s.setChunk(type, table);
-  };
-}
 /// A sound sphere where none belongs.
 void addSphere(Surgeon& s) {
   const GeodesicSphere sphere{2, 42};

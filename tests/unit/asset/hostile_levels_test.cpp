@@ -18,13 +18,6 @@ std::function<void(Surgeon&)> toSphere(size_t entry, uint32_t frequency, uint32_
     sphere = {frequency, count};
   });
 }
-std::function<void(Surgeon&)> resizeTable(uint32_t type, size_t bytes) {
-  return [=](Surgeon& s) {
-    Bytes table = s.chunk(type);
-    table.resize(bytes);
-    s.setChunk(type, table);
-  };
-}
 std::function<void(Surgeon&)> toViews(size_t record, uint32_t sphere) {
   return inFlags(record, [=](uint32_t& flags) {
     flags = (flags & ~uint32_t(kViewSphereBits)) | sphere << kViewSphereShift;
