@@ -104,7 +104,7 @@ FilteredRadiance filterShaded(AtlasPlace place, bool front, bool withGlossy, Ben
 
 /// Of the records with cells: what arrives from around a direction, and the part of it that points at surfaces.
 vec4 arrivingFrom(vec3 direction, FilteredCells cells) {
-  ViewBlend blend = locateView(direction, frame.viewTriangles, cells.count > 0 ? frame.cellTriangles : 0);
+  ViewBlend blend = locateView(direction, frame.sphereTriangles[0], cells.count > 0 ? frame.cellTriangles : 0);
   vec4 sum = vec4(0.0);
   for (uint i = 0; i < cells.count; ++i) sum += cells.weight[i] * arrivingRadiance(records[cells.record[i]], blend);
   return sum;

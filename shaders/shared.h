@@ -189,12 +189,12 @@ struct FrameConstants {
   float lightOffset;  // in u: the environment's rotation
   uvec2 backgroundSize;
   uvec2 atlasSize;
-  uint recordCount, tileCount, diffuseStream, viewTriangles;  // the streams of cells follow the diffuse one
+  uint recordCount, tileCount, diffuseStream, atlasLevels;  // the streams of cells follow the diffuse one
   vec4 toEnvironment[3];  // columns: from directions of the world to those of the image, for the background
   float lightIntensity;   // of the background; lightUnit has it
   uint cellTriangles;     // behind those of the views
   float momentUnit;       // radiance times steradian of one unit of the moments, times the intensity
-  uint atlasLevels;
+  uint reserved;
   uvec4 sphereStart, sphereTriangles;  // of the spheres of views, by the number that records have
 };
 

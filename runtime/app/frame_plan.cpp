@@ -58,15 +58,14 @@ FrameConstants frameConstants(const asset::Asset& asset, const FrameSettings& se
   frame.recordCount = uint32_t(asset.records.size());
   frame.tileCount = uint32_t(asset.tiles.size());
   frame.diffuseStream = asset.diffuseStream();
-  frame.viewTriangles = 20 * asset.info.viewFrequency * asset.info.viewFrequency;
+  const auto trianglesOf = [](uint32_t frequency) { return 20 * frequency * frequency; };
+  frame.sphereTriangles[0] = trianglesOf(asset.info.viewFrequency);
   for (const asset::GeodesicSphere& cells : asset.cellSphere)
-    frame.cellTriangles = 20 * cells.frequency * cells.frequency;
-  uint32_t next = frame.viewTriangles + frame.cellTriangles;
-  frame.sphereStart[0] = 0, frame.sphereTriangles[0] = frame.viewTriangles;
-  for (uint32_t s = 0; s < asset.coarseViews.size(); ++s) {
-    const uint32_t triangles = 20 * asset.coarseViews[s].frequency * asset.coarseViews[s].frequency;
-    frame.sphereStart[int(s) + 1] = next, frame.sphereTriangles[int(s) + 1] = triangles;
-    next += triangles;
+    frame.cellTriangles = trianglesOf(cells.frequency);
+  uint32_t next = frame.sphereTriangles[0] + frame.cellTriangles;
+  for (int s = 0; s < int(asset.coarseViews.size()); ++s) {
+    frame.sphereStart[s + 1] = next;
+    next += frame.sphereTriangles[s + 1] = trianglesOf(asset.coarseViews[size_t(s)].frequency);
   }
   setLight(frame, settings, light);
   return frame;

@@ -6,33 +6,17 @@
 
 #include "bake/kernels/scene_bake.h"
 #include "common/light/relight.h"
-#include "tests/support/scenes.h"
+#include "tests/support/room.h"
 
 using namespace boxlight;
 
 namespace {
 
-/// A floor of one material beside a coloured wall, which no texel belongs to.
-struct Room {
-  explicit Room(const asset::Material& floor) : scene(test::makeScene(floor)) {
-    scene.materials.push_back(test::lambert(Rgb(0.9f, 0.5f, 0.2f)));
-    test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
-    test::addQuad(scene, {-3, 0, -1}, {6, 0, 0}, {0, 4, 0}, vec2(2), vec2(3), 1);
-    scene.materialExtensions.resize(2);
-  }
-  std::vector<RecordPlan> plan(asset::Scheme scheme, uint32_t size, bool coarseViews = true) {
-    test::finish(scene);
-    world.emplace(scene);
-    map = makeTexels(scene, size, size);
-    return planRecords(*world, map, scheme, coarseViews);
-  }
+struct Room : test::Room {
+  using test::Room::Room;
   uint32_t sphere(asset::Scheme scheme = asset::Scheme::split, bool coarseViews = true) {
     return plan(scheme, 1, coarseViews).front().viewSphere();
   }
-
-  Scene scene;
-  std::optional<Intersector> world;
-  TexelMap map;
 };
 
 /// A metal of this GGX alpha.
@@ -88,7 +72,7 @@ class BakedCoarseViews : public ::testing::TestWithParam<float> {
  protected:
   BakedCoarseViews()
       : room_(metalOfAlpha(GetParam())),
-        records_(room_.plan(asset::Scheme::split, 3)),
+        records_(room_.plan(asset::Scheme::split, 3, true)),
         baked_(bakeScene(*room_.world, room_.map, records_, ViewSphere(3), options_, ProgressStyle::none)),
         sphere_(GetParam() < 0.35f ? 2 : 1) {}
   const asset::Asset& asset() const { return baked_.asset; }

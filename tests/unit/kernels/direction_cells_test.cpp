@@ -4,7 +4,7 @@
 
 #include "bake/kernels/scene_bake.h"
 #include "common/light/relight.h"
-#include "tests/support/scenes.h"
+#include "tests/support/room.h"
 
 using namespace boxlight;
 
@@ -12,27 +12,11 @@ namespace {
 
 constexpr uint32_t kSize = 4;
 
-/// A floor of one material beside a coloured wall, which no texel belongs to.
-struct Room {
-  explicit Room(const asset::Material& floor) : scene(test::makeScene(floor)) {
-    scene.materials.push_back(test::lambert(Rgb(0.9f, 0.5f, 0.2f)));
-    test::addQuad(scene, {-1, 0, 1}, {2, 0, 0}, {0, 0, -2});
-    test::addQuad(scene, {-3, 0, -1}, {6, 0, 0}, {0, 4, 0}, vec2(2), vec2(3), 1);
-    scene.materialExtensions.resize(2);
-  }
-  std::vector<RecordPlan> plan(asset::Scheme scheme, uint32_t size = kSize) {
-    test::finish(scene);
-    world.emplace(scene);
-    map = makeTexels(scene, size, size);
-    return planRecords(*world, map, scheme);
-  }
+struct Room : test::Room {
+  using test::Room::Room;
   bool hasCells(asset::Scheme scheme = asset::Scheme::cells, uint32_t size = kSize) {
     return plan(scheme, size).front().hasCells();
   }
-
-  Scene scene;
-  std::optional<Intersector> world;
-  TexelMap map;
 };
 
 TEST(DirectionCells, AreForSharpRoundLobesAlone) {
@@ -73,7 +57,7 @@ Image constantMap() {
 
 class BakedCells : public ::testing::Test {
  protected:
-  BakedCells() : room_(test::metal(0.2f)), records_(room_.plan(asset::Scheme::cells)) {
+  BakedCells() : room_(test::metal(0.2f)), records_(room_.plan(asset::Scheme::cells, kSize)) {
     baked_ = bakeScene(*room_.world, room_.map, records_, ViewSphere(2), options_, ProgressStyle::none);
   }
   const asset::Asset& asset() const { return baked_.asset; }
