@@ -67,9 +67,9 @@ void Commands::barrier() {
 void Commands::bind(const Bindings& bindings, bool graphics, std::span<const std::byte> push) {
   const auto point = graphics ? vk::PipelineBindPoint::eGraphics : vk::PipelineBindPoint::eCompute;
   const auto& native = bindings.native();
-  native_.buffer.bindDescriptorSets(point, *native.layout, 0, *native.set, {});
+  native_.buffer.bindDescriptorSets(point, native.layout, 0, *native.set, {});
   if (!push.empty())
-    native_.buffer.pushConstants<std::byte>(*native.layout, vk::ShaderStageFlagBits::eAll, 0, push);
+    native_.buffer.pushConstants<std::byte>(native.layout, vk::ShaderStageFlagBits::eAll, 0, push);
 }
 
 void Commands::fill(const Buffer& buffer, uint32_t value) {
@@ -78,14 +78,14 @@ void Commands::fill(const Buffer& buffer, uint32_t value) {
 }
 
 void Commands::dispatch(const ComputePipeline& pipeline, uvec3 groups, std::span<const std::byte> push) {
-  native_.buffer.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline.native().pipeline);
+  native_.buffer.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline.native().pipeline);
   bind(pipeline.bindings(), false, push);
   native_.buffer.dispatch(groups.x, groups.y, groups.z);
   barrier();
 }
 
 void Commands::dispatchIndirect(const ComputePipeline& pipeline, const Buffer& counts, uint64_t offset) {
-  native_.buffer.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline.native().pipeline);
+  native_.buffer.bindPipeline(vk::PipelineBindPoint::eCompute, pipeline.native().pipeline);
   bind(pipeline.bindings(), false, {});
   native_.buffer.dispatchIndirect(*counts.native().buffer, offset);
   barrier();

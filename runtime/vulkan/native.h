@@ -6,6 +6,7 @@
 #define VULKAN_HPP_NO_SPACESHIP_OPERATOR
 #include <vulkan/vulkan_raii.hpp>
 
+#include <map>
 #include <mutex>
 #include <optional>
 
@@ -42,6 +43,13 @@ class ValidationLog {
 
 inline constexpr uint32_t kMaxPasses = 32;  // per submission
 
+/// Of the one set of resources that every shader sees (Bindings).
+struct ResourceLayout {
+  explicit ResourceLayout(const vk::raii::Device& device);
+  vk::raii::DescriptorSetLayout set = nullptr;
+  vk::raii::PipelineLayout pipelines = nullptr;
+};
+
 struct Device::Native {
   std::shared_ptr<ValidationLog> validation = std::make_shared<ValidationLog>();
   vk::raii::Context context;
@@ -58,6 +66,10 @@ struct Device::Native {
   vk::raii::Queue queue = nullptr, presentQueue = nullptr;
   vk::raii::CommandPool pool = nullptr;
   vk::raii::QueryPool queries = nullptr;
+  std::optional<ResourceLayout> resources;
+  /// All that were made, by number and values of their constants and by their code: drivers take up to
+  /// seconds to compile one, and who switches back wants the picture at once.
+  std::map<std::vector<uint32_t>, vk::raii::Pipeline> computePipelines;
 
   /// Memory of a kind that `allowed` permits, with `wanted` properties if there is any such, else with
   /// `needed`.
@@ -79,16 +91,14 @@ struct Buffer::Native {
 };
 
 struct Bindings::Native {
-  vk::raii::DescriptorSetLayout setLayout = nullptr;
-  vk::raii::PipelineLayout layout = nullptr;
+  vk::PipelineLayout layout;  // the device's
   vk::raii::DescriptorPool pool = nullptr;
   vk::raii::DescriptorSet set = nullptr;
   std::vector<vk::raii::BufferView> texels;
-  std::vector<vk::DescriptorSetLayoutBinding> slots;
 };
 
 struct ComputePipeline::Native {
-  vk::raii::Pipeline pipeline = nullptr;
+  vk::Pipeline pipeline;  // the device's
 };
 
 struct RasterTarget::Native {

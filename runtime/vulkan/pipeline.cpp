@@ -34,21 +34,26 @@ std::vector<vk::DescriptorSetLayoutBinding> makeSlots() {
   return slots;
 }
 
-void makeSet(const vk::raii::Device& device, Bindings::Native& native) {
-  native.slots = makeSlots();
-  native.setLayout =
-      vk::raii::DescriptorSetLayout(device, vk::DescriptorSetLayoutCreateInfo({}, native.slots));
-  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eAll, 0, kPushBytes);
-  native.layout = vk::raii::PipelineLayout(device, vk::PipelineLayoutCreateInfo({}, *native.setLayout, push));
+void makeSet(Device::Native& device, Bindings::Native& native) {
+  if (!device.resources) device.resources.emplace(device.device);
+  native.layout = *device.resources->pipelines;
   const std::array<vk::DescriptorPoolSize, 3> sizes = {
       vk::DescriptorPoolSize(vk::DescriptorType::eStorageBuffer, kBufferBindings),
       vk::DescriptorPoolSize(vk::DescriptorType::eStorageImage, 1),
       vk::DescriptorPoolSize(vk::DescriptorType::eUniformTexelBuffer, uint32_t(kTexelTwins.size()))};
-  native.pool =
-      vk::raii::DescriptorPool(device, {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
-  native.set = std::move(
-      vk::raii::DescriptorSets(device, vk::DescriptorSetAllocateInfo(*native.pool, *native.setLayout))
-          .front());
+  native.pool = vk::raii::DescriptorPool(device.device,
+                                         {vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 1, sizes});
+  const vk::DescriptorSetAllocateInfo allocation(*native.pool, *device.resources->set);
+  native.set = std::move(vk::raii::DescriptorSets(device.device, allocation).front());
+}
+
+vk::raii::Pipeline makePipeline(const Device& device, vk::PipelineLayout layout,
+                                std::span<const uint32_t> code, std::span<const uint32_t> constants) {
+  const auto shader = loadShader(device.native(), code);
+  const Specialization specialization(device, constants);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main",
+                                                specialization.info());
+  return {device.native().device, nullptr, vk::ComputePipelineCreateInfo({}, stage, layout)};
 }
 
 }  // namespace
@@ -69,12 +74,19 @@ vk::raii::ShaderModule loadShader(const Device::Native& native, std::span<const 
   return {native.device, vk::ShaderModuleCreateInfo({}, code.size_bytes(), code.data())};
 }
 
+ResourceLayout::ResourceLayout(const vk::raii::Device& device) {
+  const auto slots = makeSlots();
+  set = vk::raii::DescriptorSetLayout(device, vk::DescriptorSetLayoutCreateInfo({}, slots));
+  const vk::PushConstantRange push(vk::ShaderStageFlagBits::eAll, 0, kPushBytes);
+  pipelines = vk::raii::PipelineLayout(device, vk::PipelineLayoutCreateInfo({}, *set, push));
+}
+
 Bindings::Bindings(const Device& device)
     : device_(device), native_(std::make_unique<Native>()), empty_(device, "empty buffer", 0) {
   if (device.limits().maxStorageBuffers < kBufferBindings)
     fail(ExitCode::runtime, "'{}' binds {} storage buffers at once; {} are needed", device.info().name,
          device.limits().maxStorageBuffers, kBufferBindings);
-  translated("descriptors", [&] { makeSet(device.native().device, *native_); });
+  translated("descriptors", [&] { makeSet(device.native(), *native_); });
   for (size_t twin = 0; twin < kTexelTwins.size(); ++twin) native_->texels.emplace_back(nullptr);
   for (uint32_t binding = 0; binding < kBufferBindings; ++binding) set(binding, empty_);
   for (size_t twin = 0; twin < kTexelTwins.size(); ++twin) setTexels(twin, empty_);
@@ -116,12 +128,15 @@ ComputePipeline::ComputePipeline(const Device& device, const Bindings& bindings,
                                  std::span<const uint32_t> code, std::span<const uint32_t> constants)
     : bindings_(&bindings), native_(std::make_unique<Native>()) {
   translated("compute pipeline", [&] {
-    const auto shader = loadShader(device.native(), code);
-    const Specialization specialization(device, constants);
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *shader, "main",
-                                                  specialization.info());
-    native_->pipeline = vk::raii::Pipeline(
-        device.native().device, nullptr, vk::ComputePipelineCreateInfo({}, stage, *bindings.native().layout));
+    auto& known = device.native().computePipelines;
+    std::vector<uint32_t> key{uint32_t(constants.size())};
+    key.insert(key.end(), constants.begin(), constants.end());
+    key.insert(key.end(), code.begin(), code.end());
+    auto place = known.find(key);
+    if (place == known.end())
+      place = known.emplace(std::move(key), makePipeline(device, bindings.native().layout, code, constants))
+                  .first;
+    native_->pipeline = *place->second;
   });
 }
 

@@ -34,7 +34,8 @@ class Bindings {
   Buffer empty_;  // stands where nothing was set
 };
 
-/// `constants` are the specialisation constants 0, 1, ... of the shader.
+/// `constants` are the specialisation constants 0, 1, ... of the shader. What was compiled stays with the
+/// device: the same again costs nothing.
 class ComputePipeline {
  public:
   ComputePipeline(const Device& device, const Bindings& bindings, std::span<const uint32_t> code,

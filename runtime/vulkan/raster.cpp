@@ -108,11 +108,11 @@ RasterPipeline::RasterPipeline(const Device& device, const Bindings& bindings, c
     const vk::PipelineColorBlendStateCreateInfo blend({}, false, {}, noBlend);
     const std::array dynamicStates = {vk::DynamicState::eViewport, vk::DynamicState::eScissor};
     const vk::PipelineDynamicStateCreateInfo dynamic({}, dynamicStates);
-    native_->pipeline = vk::raii::Pipeline(
-        device.native().device, nullptr,
-        vk::GraphicsPipelineCreateInfo({}, stages, &noInput, &assembly, nullptr, &viewport, &raster,
-                                       &multisample, &depth, &blend, &dynamic, *bindings.native().layout,
-                                       *target.native().pass, 0));
+    native_->pipeline =
+        vk::raii::Pipeline(device.native().device, nullptr,
+                           vk::GraphicsPipelineCreateInfo(
+                               {}, stages, &noInput, &assembly, nullptr, &viewport, &raster, &multisample,
+                               &depth, &blend, &dynamic, bindings.native().layout, *target.native().pass, 0));
   });
 }
 

@@ -38,7 +38,7 @@ ScreenPass::ScreenPass(const Device& device, const Bindings& bindings, const Swa
     native_->pipeline = vk::raii::Pipeline(
         device.native().device, nullptr,
         vk::GraphicsPipelineCreateInfo({}, stages, &noInput, &assembly, nullptr, &viewport, &raster,
-                                       &multisample, nullptr, &blend, &dynamic, *bindings.native().layout,
+                                       &multisample, nullptr, &blend, &dynamic, bindings.native().layout,
                                        *swapchain.native().pass, 0));
   });
 }
@@ -48,8 +48,8 @@ ScreenPass::~ScreenPass() = default;
 void ScreenPass::draw(SwapchainPass& pass, std::span<const std::byte> push) const {
   const auto& native = bindings_.native();
   pass.commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *native_->pipeline);
-  pass.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, *native.layout, 0, *native.set, {});
-  pass.commands.pushConstants<std::byte>(*native.layout, vk::ShaderStageFlagBits::eAll, 0, push);
+  pass.commands.bindDescriptorSets(vk::PipelineBindPoint::eGraphics, native.layout, 0, *native.set, {});
+  pass.commands.pushConstants<std::byte>(native.layout, vk::ShaderStageFlagBits::eAll, 0, push);
   pass.commands.draw(3, 1, 0, 0);
 }
 
