@@ -127,6 +127,18 @@ TEST_F(MovingTest, GlossyKernels) {
   follow(square.write(file("gloss.ptb"), anyBox), allSteps());
 }
 
+/// The device keeps them for all renderers, so that only another device can tell.
+TEST_F(MovingTest, ShadersAreKeptByTheirConstants) {
+  Square square;
+  const auto reader = square.write(file("constants.ptb"), anyBox);
+  const gpu::FrameRenderer before(*device_, reader, light_, settings_);
+  settings_.background = false;
+  gpu::FrameRenderer after(*device_, reader, light_, settings_);
+  gpu::Device other(gpu::DeviceOptions{"", true});
+  gpu::FrameRenderer alone(other, reader, light_, settings_);
+  EXPECT_EQ(after.picture().pixels, alone.picture().pixels);
+}
+
 /// A view is the same at another size: the window draws each in two.
 TEST_F(MovingTest, WaitsForPagesBelongToAView) {
   Square square;
