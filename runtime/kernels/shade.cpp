@@ -33,8 +33,7 @@ ResolvePass::ResolvePass(Device& device, Bindings& bindings, const SurfaceConsta
 
 void ResolvePass::specialize(const SurfaceConstants& constants) {
   constants_ = constants;
-  variants_ = {};
-  chosen_ = nullptr;
+  variant_.reset();
 }
 
 void ResolvePass::resize(Device& device, Bindings& bindings, uint64_t tilePixels) {
@@ -43,19 +42,17 @@ void ResolvePass::resize(Device& device, Bindings& bindings, uint64_t tilePixels
 }
 
 void ResolvePass::prepare(const Device& device, const Bindings& bindings, bool background, uint32_t layers) {
-  std::optional<Variant>& variant = variants_[background];
-  if (!variant || variant->layers < layers) {  // fewer are drawn by it, too
-    constants_[kConstantBackground] = background;
-    constants_[kConstantLayers] = layers;
-    variant.emplace(Variant{layers, {device, bindings, resolve_comp, constants_}});
-  }
-  chosen_ = &*variant;
+  const bool fits = variant_ && variant_->background == background;
+  if (fits && variant_->layers >= layers) return;  // fewer are drawn by it, too
+  constants_[kConstantBackground] = background;
+  constants_[kConstantLayers] = layers;
+  variant_.emplace(Variant{background, layers, {device, bindings, resolve_comp, constants_}});
 }
 
 void ResolvePass::resolve(Commands& commands, const ImageTile& tile, uint32_t layers, uint32_t firstRow,
                           uint32_t rows) const {
   const TilePush push{tile, layers, firstRow};
-  commands.dispatch(chosen_->pipeline, imageGroups({tile.size.x, rows}), std::as_bytes(std::span(&push, 1)));
+  commands.dispatch(variant_->pipeline, imageGroups({tile.size.x, rows}), std::as_bytes(std::span(&push, 1)));
 }
 
 std::vector<vec4> ResolvePass::read(Device& device, const ImageTile& tile) const {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "common/asset/asset.h"
@@ -45,7 +44,7 @@ class ResolvePass {
   void specialize(const SurfaceConstants& constants);
   /// For image tiles of another size.
   void resize(Device& device, Bindings& bindings, uint64_t tilePixels);
-  /// Compiles what these settings need and is not there yet. `layers`: blended ones of an image tile at most.
+  /// Compiles what these settings need if it is not there. `layers`: blended ones of an image tile at most.
   void prepare(const Device& device, const Bindings& bindings, bool background, uint32_t layers);
   /// `layers`: blended ones that were drawn of the tile; `rows` of the tile from `firstRow` on. Takes the
   /// settings of the last prepare().
@@ -56,13 +55,13 @@ class ResolvePass {
 
  private:
   struct Variant {
+    bool background;
     uint32_t layers;
     ComputePipeline pipeline;
   };
   SurfaceConstants constants_;
   Buffer picture_;
-  std::array<std::optional<Variant>, 2> variants_;  // without and with a background
-  const Variant* chosen_ = nullptr;
+  std::optional<Variant> variant_;
 };
 
 }  // namespace boxlight::gpu
